@@ -1,0 +1,383 @@
+"""The schema of a machine file: what a cable-driven machine is, as frozen data in SI units."""
+
+import math
+import tomllib
+from functools import cached_property
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr, ValidationError
+
+from model.consistency import consistency_problems
+from model.kind import KINDS
+from model.problem import MachineError, Problem, schema_problems
+from model.quantity import (
+    Damping,
+    Force,
+    ForceOrZero,
+    Frequency,
+    Inertia,
+    IntegralGain,
+    Length,
+    Mass,
+    Point,
+    RotaryDamping,
+    Size,
+    Stiffness,
+    StiffnessOrZero,
+    Torque,
+    TorqueOrZero,
+    TorqueRate,
+    UnitVector,
+)
+from model.words import CommentLine, Identifier, KindName
+
+__all__ = ["Machine", "MachineError", "json_schema", "load_machine"]
+
+# A double pole 1/(tau s + 1)^2 has fallen by 3 dB where w tau is this.
+DOUBLE_POLE_3DB = math.sqrt(math.sqrt(2) - 1)
+
+
+class Table(BaseModel):
+    """A table of the machine file: nothing but its own keys, never changed after reading."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", str_strip_whitespace=True)
+
+
+class Identity(Table):
+    """Who the machine is."""
+
+    name: Identifier = Field(description="the machine's name in C and in file names")
+    kind: KindName = Field(description=f"the kind of platform: {', '.join(KINDS)}")
+    source: CommentLine = Field(description="where the numbers come from, one line of text")
+
+
+class Frame(Table):
+    """The rectangle that holds the bases; its lower left corner is the origin."""
+
+    size: Size = Field(description="width and height of the frame [m]")
+
+
+class FixedBase(Table):
+    """A base that stays at `position` [m]."""
+
+    position: Point
+
+    def nearest(self, point: tuple[float, float]) -> tuple[float, float]:
+        """The base's position nearest to `point` [m]: its only one."""
+        return self.position
+
+
+class RailBase(Table):
+    """A base that slides on a straight rail; rail coordinate s [m] counts from `start`."""
+
+    start: Point = Field(alias="from", description="where the rail begins, lengths [x, y]")
+    end: Point = Field(alias="to", description="where the rail ends, lengths [x, y]")
+
+    @property
+    def length(self) -> float:
+        """Length of the rail [m]."""
+        return math.dist(self.start, self.end)
+
+    @property
+    def direction(self) -> tuple[float, float]:
+        """Unit vector e from `start` to `end`."""
+        (x0, y0), (x1, y1), length = self.start, self.end, self.length
+        return (x1 - x0) / length, (y1 - y0) / length
+
+    def point(self, s: float) -> tuple[float, float]:
+        """The base's position [m] at rail coordinate s [m]."""
+        (x, y), (ex, ey) = self.start, self.direction
+        return x + s * ex, y + s * ey
+
+    def nearest(self, point: tuple[float, float]) -> tuple[float, float]:
+        """The position [m] nearest to `point` [m]: foot of the perpendicular, kept on the rail."""
+        (x, y), (ex, ey) = self.start, self.direction
+        s = (point[0] - x) * ex + (point[1] - y) * ey
+        return self.point(min(max(s, 0.0), self.length))
+
+
+class Cable(Table):
+    """A cable: its base, fixed or on a rail, and the drive that winds it."""
+
+    model_config = ConfigDict(
+        json_schema_extra={"oneOf": [{"required": ["base"]}, {"required": ["rail"]}]}
+    )
+
+    fixed: Point | None = Field(None, alias="base", description="where a fixed base stays [m]")
+    rail: RailBase | None = Field(None, description="the rail a movable base slides on")
+    drive: Identifier = Field("", description="name of the drive; cable_<number> by default")
+
+    @cached_property
+    def base(self) -> FixedBase | RailBase:
+        """The pulley's base."""
+        return self.rail or FixedBase(position=self.fixed or (0.0, 0.0))
+
+
+class Tension(Table):
+    """Bounds of every cable's tension (Yoon eq. 11) and what to do with a wrench beyond them."""
+
+    min: ForceOrZero = Field(description="smallest tension T_min [N]")
+    max: Force = Field(description="largest tension T_max [N]")
+    when_infeasible: Literal["scale", "closest", "paper"] = Field(
+        description="scale (same direction, smaller), closest (nearest feasible wrench)"
+        " or paper (Yoon eqs 22, 23)"
+    )
+
+
+class Drum(Table):
+    """The drum that winds a cable."""
+
+    radius: Length = Field(description="radius r_p [m]")
+
+
+class CableMotor(Table):
+    """The motor on a drum; inertia and damping are the observer's nominal J_n and B_n."""
+
+    inertia: Inertia = Field(description="nominal inertia J_n [kg m^2]")
+    damping: RotaryDamping = Field(description="nominal damping B_n [N m s/rad]")
+    torque_limit: Torque = Field(description="largest torque the gate lets through [N m]")
+    torque_rate_limit: TorqueRate = Field(
+        description="largest change of torque the gate lets through [N m/s]"
+    )
+
+
+class Control(Table):
+    """The control cycle."""
+
+    rate: Frequency = Field(description="control cycles per second [Hz]")
+    velocity_corner: Frequency = Field(
+        description="corner of the low-pass on differentiated lengths [Hz]"
+    )
+
+
+class DisturbanceObserver(Table):
+    """The observer's filter Q = 1/(tau s + 1)^2 (Yoon eq. 24) and how the hand enters it."""
+
+    model_config = ConfigDict(
+        json_schema_extra={"oneOf": [{"required": ["corner"]}, {"required": ["minus_3db"]}]}
+    )
+
+    corner: Frequency | None = Field(None, description="corner of each of the two poles [Hz]")
+    minus_3db: Frequency | None = Field(
+        None, description="where both poles together have fallen by 3 dB [Hz]"
+    )
+    hand_force: Literal["measured", "unmeasured"] = Field(
+        description="measured or unmeasured: whether a sensor tells the hand's force"
+    )
+
+    @property
+    def time_constant(self) -> float:
+        """tau [s] of each pole: 1/(2 pi corner), or sqrt(sqrt 2 - 1)/(2 pi minus_3db)."""
+        if self.corner is not None:
+            return 1 / (2 * math.pi * self.corner)
+        return DOUBLE_POLE_3DB / (2 * math.pi * (self.minus_3db or math.nan))
+
+    @property
+    def pole_corner(self) -> float:
+        """Corner frequency of each pole [Hz]."""
+        return 1 / (2 * math.pi * self.time_constant)
+
+    @property
+    def cut_off(self) -> float:
+        """Frequency at which Q has fallen by 3 dB [Hz]: 0.644 of the corner."""
+        return DOUBLE_POLE_3DB * self.pole_corner
+
+
+class RailDrive(Table):
+    """The drive of every rail: timing pulley, force limit and position PID."""
+
+    pinion_radius: Length = Field(description="radius of the timing pulley [m]")
+    force_limit: Force = Field(description="largest force on a carriage [N]")
+    stiffness: Stiffness = Field(description="proportional gain [N/m]")
+    integral: IntegralGain = Field(description="integral gain [N/(m s)]")
+    damping: Damping = Field(description="derivative gain [N s/m]")
+    derivative_corner: Frequency = Field(description="corner of the speed's low-pass [Hz]")
+
+
+class Wall(Table):
+    """A virtual wall (Yoon eqs 26, 27): spring and damper behind a line."""
+
+    name: Identifier = Field(description="name of the wall")
+    point: Point = Field(description="a point on the surface, lengths [x, y]")
+    normal: UnitVector = Field(
+        description="two plain numbers [x, y]: the direction out of the wall, to the free side"
+    )
+    stiffness: Stiffness = Field(description="stiffness of the wall [N/m]")
+    damping: Damping = Field(description="damping of the wall [N s/m]")
+
+
+class Target(Table):
+    """What the user needs to reach: a rectangle, and a force in every direction in it."""
+
+    size: Size = Field(description="width and height of the target [m]")
+    centre: Point = Field(description="centre of the target, lengths [x, y]")
+    force: Force = Field(description="wanted force in every direction [N]")
+
+
+class Plant(Table):
+    """What only the virtual test bench reads: the machine's physics beyond its controller."""
+
+    handle_mass: Mass = Field(description="mass of the handle [kg]")
+    motor_coulomb_friction: TorqueOrZero = Field(description="dry friction of a motor [N m]")
+    motor_viscous_friction: RotaryDamping = Field(description="damping of a motor [N m s/rad]")
+    carriage_mass: Mass = Field(description="mass of a carriage, rotor included [kg]")
+    carriage_coulomb_friction: ForceOrZero = Field(description="dry friction of a carriage [N]")
+    carriage_viscous_friction: Damping = Field(description="damping of a carriage [N s/m]")
+    hand_stiffness: StiffnessOrZero = Field(description="stiffness of the user's hand [N/m]")
+    hand_damping: Damping = Field(description="damping of the user's hand [N s/m]")
+    hand_mass: Mass = Field(description="mass of the user's hand [kg]")
+
+
+def _name_drives(cables: object) -> object:
+    """Give each cable that names no drive the name cable_<number>."""
+    if not isinstance(cables, list):
+        return cables
+    return tuple(
+        {"drive": f"cable_{number}", **cable} if isinstance(cable, dict) else cable
+        for number, cable in enumerate(cables, start=1)
+    )
+
+
+class Machine(Table):
+    """A cable-driven machine, as its file describes it; SI units."""
+
+    model_config = ConfigDict(title="Turnbuckle machine file")
+
+    identity: Identity = Field(alias="machine", description="the table [machine]")
+    frame: Frame = Field(description="the table [frame]")
+    cables: Annotated[tuple[Cable, ...], BeforeValidator(_name_drives)] = Field(
+        alias="cable", description="one table [[cable]] for each cable"
+    )
+    tension: Tension = Field(description="the table [tension]")
+    drum: Drum = Field(description="the table [drum]")
+    cable_motor: CableMotor = Field(description="the table [cable_motor]")
+    control: Control = Field(description="the table [control]")
+    disturbance_observer: DisturbanceObserver | None = Field(
+        None, description="the disturbance observer; without it there is none"
+    )
+    rail_drive: RailDrive | None = Field(None, description="due when a cable has a rail")
+    walls: tuple[Wall, ...] = Field((), alias="wall", description="any number of [[wall]]")
+    target: Target = Field(description="the table [target]")
+    plant: Plant | None = Field(None, description="read by the virtual test bench only")
+
+    _path: Path = PrivateAttr(default=Path())
+
+    @property
+    def path(self) -> Path:
+        """The file this machine was read from."""
+        return self._path
+
+    @property
+    def name(self) -> str:
+        """The machine's name, `[a-z][a-z0-9_]*`."""
+        return self.identity.name
+
+    @property
+    def kind(self) -> str:
+        """The kind of platform, a key of `model.kind.KINDS`."""
+        return self.identity.kind
+
+    @property
+    def source(self) -> str:
+        """Where the numbers come from."""
+        return self.identity.source
+
+    @property
+    def dof(self) -> int:
+        """Degrees of freedom d."""
+        return KINDS[self.kind].dof
+
+    @property
+    def redundancy(self) -> int:
+        """r = n - d."""
+        return len(self.cables) - self.dof
+
+    @property
+    def rail_cables(self) -> tuple[int, ...]:
+        """Indices of the cables on rails; rail coordinate k belongs to cable rail_cables[k]."""
+        return tuple(i for i, cable in enumerate(self.cables) if cable.rail is not None)
+
+    def describe(self) -> list[tuple[str, str]]:
+        """The machine at a glance: rows of (label, value), in words and common units."""
+        return [
+            ("machine", f"{self.name} ({self.source})"),
+            ("kind", f"{self.kind}: {KINDS[self.kind].meaning}"),
+            ("degrees of freedom", str(self.dof)),
+            ("cables", f"{len(self.cables)} ({', '.join(c.drive for c in self.cables)})"),
+            ("redundancy", str(self.redundancy)),
+            ("rails", self._rails_in_words()),
+            ("tension", f"{self.tension.min:g} to {self.tension.max:g} N"),
+            ("when infeasible", self.tension.when_infeasible),
+            ("drum radius", _in_mm(self.drum.radius)),
+            ("control rate", f"{self.control.rate:g} Hz"),
+            ("disturbance observer", self._observer_in_words()),
+            ("walls", ", ".join(wall.name for wall in self.walls) or "none"),
+            ("target", f"{_in_mm(*self.target.size)}, {self.target.force:g} N in every direction"),
+        ]
+
+    def _rails_in_words(self) -> str:
+        rails = [cable.rail for cable in self.cables if cable.rail is not None]
+        return ", ".join(_in_mm(rail.length) for rail in rails) or "none"
+
+    def _observer_in_words(self) -> str:
+        observer = self.disturbance_observer
+        if observer is None:
+            return "none"
+        return (
+            f"two poles at {observer.pole_corner:.4g} Hz, -3 dB at {observer.cut_off:.4g} Hz,"
+            f" tau {observer.time_constant * 1e3:.4g} ms, hand force {observer.hand_force}"
+        )
+
+
+def _in_mm(*lengths: float) -> str:
+    return " x ".join(f"{length * 1e3:g}" for length in lengths) + " mm"
+
+
+def load_machine(path: str | Path) -> Machine:
+    """Read and check a machine file.
+
+    Raises MachineError, whose text names the file, the key, what was found and what is allowed.
+    """
+    path = Path(path)
+    tables = _read_toml(path)
+    try:
+        machine = Machine.model_validate(tables)
+    except ValidationError as error:
+        raise MachineError(path, schema_problems(error, Machine)) from None
+    problems = consistency_problems(machine, tables)
+    if problems:
+        raise MachineError(path, problems)
+    machine._path = path
+    return machine
+
+
+def _read_toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(_read_text(path))
+    except UnicodeDecodeError as error:
+        found = f"a byte that is no UTF-8 at offset {error.start}"
+    except tomllib.TOMLDecodeError as error:
+        found = f"a mistake in the TOML: {error}"
+    except (ValueError, RecursionError):
+        found = "a number too long or arrays nested too deep to read"
+    except OSError as error:
+        found = "no such file" if isinstance(error, FileNotFoundError) else _reason(error)
+    raise MachineError(path, [Problem("", found, "a readable machine file, TOML in UTF-8")])
+
+
+def _read_text(path: Path) -> str:
+    # As bytes first: a file opened as text would lose its line ends before TOML sees them.
+    return path.read_bytes().decode("utf-8")
+
+
+def _reason(error: OSError) -> str:
+    if isinstance(error, IsADirectoryError):
+        return "a directory"
+    return f"a file that cannot be read ({error.strerror})"
+
+
+def json_schema() -> dict[str, Any]:
+    """The JSON Schema of a machine file, for editors (docs/machine.schema.json)."""
+    dialect = "https://json-schema.org/draft/2020-12/schema"
+    return {"$schema": dialect, **Machine.model_json_schema(by_alias=True)}

@@ -1,0 +1,138 @@
+"""How the problems of a machine file are worded: file, key, what was found, what is allowed."""
+
+import difflib
+import json
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from inspect import isclass
+from pathlib import Path
+from typing import Any, get_args
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails, PydanticCustomError
+
+Location = Sequence[str | int]
+
+LONGEST_SHOWN = 60
+BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+FOUND_NOTHING = "nothing, it is missing"
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing that is wrong with a machine file; `key` is "" when it is the file itself."""
+
+    key: str
+    found: str
+    allowed: str
+
+    def __str__(self) -> str:
+        text = f"found {self.found}; allowed: {self.allowed}"
+        return f"{self.key}: {text}" if self.key else text
+
+
+class MachineError(Exception):
+    """A machine file was refused; str() is the whole message, for the user to read."""
+
+    def __init__(self, path: Path, problems: Sequence[Problem]) -> None:
+        more = len(problems) - 1
+        tail = f" (and {more} more problem{'s' if more > 1 else ''})" if more else ""
+        super().__init__(f"{path}: {problems[0]}{tail}")
+        self.path = path
+        self.problems = tuple(problems)
+
+
+def refusal(allowed: str, found: str = "") -> PydanticCustomError:
+    """The error a field's validator raises; `found` defaults to the value as written."""
+    return PydanticCustomError("refused", "refused", {"allowed": allowed, "found": found})
+
+
+def shown(value: object) -> str:
+    """A TOML value as the user wrote it, on one line and shortened."""
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, str | int | float | bool | list):
+        text = json.dumps(value, ensure_ascii=False, default=str)
+    else:
+        text = str(value)
+    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 3] + "..."
+
+
+def key_path(location: Location) -> str:
+    """("cable", 1, "rail", "to") -> `cable[2].rail.to`: entries of an array count from 1."""
+    path = ""
+    for part in location:
+        if isinstance(part, int):
+            path += f"[{part + 1}]"
+        else:
+            path += ("." if path else "") + (part if BARE_KEY.fullmatch(part) else shown(part))
+    return path
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """ "; did you mean ...?" when a known word is close, else ""."""
+    close = difflib.get_close_matches(word, list(known), n=1)
+    return f"; did you mean {close[0]}?" if close else ""
+
+
+def schema_problems(error: ValidationError, schema: type[BaseModel]) -> list[Problem]:
+    """Word every error of the schema; unknown keys first, as they often explain a missing one."""
+    details = error.errors(include_url=False)
+    ordered = sorted(details, key=lambda detail: detail["type"] != "extra_forbidden")
+    return [_worded(detail, schema) for detail in ordered]
+
+
+def _worded(detail: ErrorDetails, schema: type[BaseModel]) -> Problem:
+    location, context = detail["loc"], detail.get("ctx", {})
+    if detail["type"] == "extra_forbidden":
+        return _unknown_key(location, schema)
+    if detail["type"] == "missing":
+        return Problem(key_path(location), FOUND_NOTHING, _meaning(location, schema))
+    found = context.get("found") or shown(detail["input"])
+    allowed = context.get("allowed") or _allowed_by_type(detail, location, context)
+    return Problem(key_path(location), found, allowed)
+
+
+def _allowed_by_type(detail: ErrorDetails, location: Location, context: dict[str, Any]) -> str:
+    if detail["type"] == "literal_error":
+        return str(context["expected"]).replace("'", '"')
+    if detail["type"] == "model_type":
+        return "a table"
+    if detail["type"] == "tuple_type":
+        return f"an array of tables, each begun by [[{location[-1]}]]"
+    if detail["type"] == "string_type":
+        return "text in quotes"
+    return detail["msg"]
+
+
+def _unknown_key(location: Location, schema: type[BaseModel]) -> Problem:
+    keys = _keys(_table_at(location[:-1], schema))
+    word = str(location[-1])
+    allowed = f"the keys {', '.join(keys)}{nearest(word, keys)}"
+    return Problem(key_path(location), "an unknown key", allowed)
+
+
+def _meaning(location: Location, schema: type[BaseModel]) -> str:
+    table = _table_at(location[:-1], schema)
+    field = table.model_fields[_keys(table)[str(location[-1])]]
+    examples = [item.allowed for item in field.metadata if hasattr(item, "allowed")]
+    return ", ".join(filter(None, [field.description, *examples]))
+
+
+def _keys(table: type[BaseModel]) -> dict[str, str]:
+    """Key in the file -> name of the field."""
+    return {field.alias or name: name for name, field in table.model_fields.items()}
+
+
+def _table_at(location: Location, schema: type[BaseModel]) -> type[BaseModel]:
+    for part in location:
+        if isinstance(part, str):
+            schema = _table_in(schema.model_fields[_keys(schema)[part]].annotation) or schema
+    return schema
+
+
+def _table_in(annotation: object) -> type[BaseModel] | None:
+    if isclass(annotation) and issubclass(annotation, BaseModel):
+        return annotation
+    return next(filter(None, map(_table_in, get_args(annotation))), None)

@@ -1,0 +1,176 @@
+"""Quantities with units: text such as "21 g*cm^2" in a machine file, SI floats inside."""
+
+import math
+import re
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cache
+from typing import Annotated, Any, Literal
+
+import pint
+from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, core_schema
+
+from model.problem import refusal, shown
+
+Sign = Literal["any", "not negative", "greater than zero"]
+
+NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,9})?"
+NOT_FINITE = r"[+-]?(?:nan|inf|infinity)"
+FACTOR = r"[A-Za-zµμ_]+(?:\^-?[1-4])?"
+BETWEEN = r"(?:\s*[*/]\s*|\s+)"
+GROUP = rf"(?:{FACTOR}|\(\s*{FACTOR}(?:{BETWEEN}{FACTOR})*\s*\))"
+# pint evaluates what it reads, so only a unit of this plain shape is ever handed to it.
+UNIT = rf"(?:1\s*/\s*)?{GROUP}(?:{BETWEEN}{GROUP})*"
+QUANTITY = re.compile(rf"(?P<number>{NUMBER})\s*(?P<unit>{UNIT})")
+WITHOUT_UNIT = re.compile(NUMBER)
+NOT_FINITE_QUANTITY = re.compile(rf"{NOT_FINITE}(?:\s.*)?", re.IGNORECASE)
+LONGEST = 80
+# Beyond these a value is a slip of the pen, and its square would leave single precision.
+SMALLEST, LARGEST = 1e-12, 1e9
+
+
+@cache
+def _registry() -> pint.UnitRegistry[Any]:
+    """One registry; decimal, so that "711.8 mm" is the float 0.7118 and nothing beside it."""
+    return pint.UnitRegistry(non_int_type=Decimal)
+
+
+@cache
+def _unit(text: str) -> Any:
+    """The pint unit; raises whatever pint raises where it knows no such unit."""
+    return _registry().parse_units(text)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What a key accepts: the kind of quantity, its SI unit, an example and the sign."""
+
+    what: str
+    si: str
+    example: str
+    sign: Sign = "greater than zero"
+
+    @property
+    def allowed(self) -> str:
+        """The wording of what is allowed here."""
+        sign = "" if self.sign == "any" else f", {self.sign}"
+        return f'{self.what} with its unit{sign}, such as "{self.example}"'
+
+    def parse(self, value: object) -> float:
+        """Text of the machine file -> SI float; raises the refusal to show to the user."""
+        number, unit = self._split(value)
+        if not math.isfinite(float(number)):
+            raise refusal(f"a finite number: {self.allowed}")
+        magnitude = self._in_si(Decimal(number), unit, shown(value))
+        self._check_size(magnitude)
+        return magnitude
+
+    def _split(self, value: object) -> tuple[str, str]:
+        if isinstance(value, bool) or not isinstance(value, str | int | float):
+            raise refusal(self.allowed)
+        if not isinstance(value, str) or WITHOUT_UNIT.fullmatch(value.strip()):
+            raise refusal(self.allowed, f"{shown(value)}, a number without a unit")
+        text = value.strip().replace("**", "^")
+        if NOT_FINITE_QUANTITY.fullmatch(text):
+            raise refusal(f"a finite number: {self.allowed}")
+        match = QUANTITY.fullmatch(text) if len(text) <= LONGEST else None
+        if match is None:
+            raise refusal(self.allowed)
+        return match["number"], match["unit"]
+
+    def _in_si(self, number: Decimal, unit_text: str, found: str) -> float:
+        try:
+            unit = _unit(unit_text)
+        except (pint.PintError, AssertionError):
+            raise refusal(self.allowed, f"{found}, whose unit is unknown") from None
+        target = _unit(self.si)
+        if unit.dimensionality != target.dimensionality:
+            raise refusal(f"{self.allowed} ({target.dimensionality})", f"{found} ({_kind(unit)})")
+        quantity = _registry().Quantity(number, unit)
+        # To pint an angle is a plain number: 1 rad/s would pass for 1 Hz.
+        if self.si == "Hz" and "radian" in dict(quantity.to_root_units().unit_items()):
+            raise refusal(f"{self.allowed} (cycles, not angle, per second)")
+        return float(quantity.to(target).magnitude)
+
+    def _check_size(self, magnitude: float) -> None:
+        below = magnitude < 0 and self.sign != "any"
+        if below or (magnitude == 0 and self.sign == "greater than zero"):
+            raise refusal(self.allowed)
+        if magnitude != 0 and not SMALLEST <= abs(magnitude) <= LARGEST:
+            raise refusal(f"{self.allowed}, of a size from {SMALLEST:g} to {LARGEST:g} {self.si}")
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.parse)
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        return {"type": "string", "pattern": rf"^\s*{NUMBER}\s*\S+.*$", "examples": [self.example]}
+
+
+def _kind(unit: Any) -> str:
+    return str(unit.dimensionality) if unit.dimensionality else "no dimension"
+
+
+def _pair(what: str, example: str) -> BeforeValidator:
+    """Refuses anything but an array of two, before its entries are looked at."""
+
+    def check(value: object) -> object:
+        if isinstance(value, list) and len(value) == 2:
+            return value
+        raise refusal(f"an array of two {what}, such as {example}")
+
+    return BeforeValidator(check)
+
+
+def _unit_vector(value: object) -> tuple[float, float]:
+    """Two plain numbers -> the vector of length 1 along them."""
+    allowed = "two plain numbers, finite and not both zero, such as [-1, 0]"
+    try:
+        x, y = map(_plain_number, value if isinstance(value, list) else [])
+    except (ValueError, OverflowError):
+        raise refusal(allowed) from None
+    largest = max(abs(x), abs(y))
+    if not 0 < largest < math.inf:
+        raise refusal(allowed)
+    length = math.hypot(x / largest, y / largest)
+    # Adding zero makes a plain zero of a negative one.
+    return x / largest / length + 0.0, y / largest / length + 0.0
+
+
+def _plain_number(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise ValueError(value)
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(value)
+    return number
+
+
+_LENGTH = "a length", "m", "5 mm"
+Coordinate = Annotated[float, Quantity(*_LENGTH, sign="any")]
+Length = Annotated[float, Quantity(*_LENGTH)]
+Force = Annotated[float, Quantity("a force", "N", "10 N")]
+ForceOrZero = Annotated[float, Quantity("a force", "N", "3 N", sign="not negative")]
+Mass = Annotated[float, Quantity("a mass", "kg", "0.1 kg")]
+Torque = Annotated[float, Quantity("a torque", "N*m", "55 mN*m")]
+TorqueOrZero = Annotated[float, Quantity("a torque", "N*m", "1 mN*m", sign="not negative")]
+TorqueRate = Annotated[float, Quantity("a torque per time", "N*m/s", "20 N*m/s")]
+Inertia = Annotated[float, Quantity("a moment of inertia", "kg*m^2", "21 g*cm^2")]
+RotaryDamping = Annotated[
+    float, Quantity("a rotary damping", "N*m*s/rad", "0.05 g*m^2/s", sign="not negative")
+]
+Frequency = Annotated[float, Quantity("a frequency", "Hz", "1 kHz")]
+Stiffness = Annotated[float, Quantity("a stiffness", "N/m", "3560 N/m")]
+StiffnessOrZero = Annotated[float, Quantity("a stiffness", "N/m", "300 N/m", sign="not negative")]
+IntegralGain = Annotated[
+    float, Quantity("an integral gain", "N/(m*s)", "30000 N/(m*s)", sign="not negative")
+]
+Damping = Annotated[float, Quantity("a damping", "N*s/m", "5 N*s/m", sign="not negative")]
+Point = Annotated[tuple[Coordinate, Coordinate], _pair("lengths [x, y]", '["0 mm", "461.8 mm"]')]
+Size = Annotated[tuple[Length, Length], _pair("lengths [width, height]", '["506 mm", "284 mm"]')]
+UnitVector = Annotated[tuple[float, float], BeforeValidator(_unit_vector)]
