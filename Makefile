@@ -1,0 +1,73 @@
+# Turnbuckle. `make` builds and runs everything for the stock machine; `make help` lists the rest.
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+MAKEFLAGS += --no-builtin-rules
+
+PYTHON ?= python3.11
+MACHINE ?= machines/yoon2023.toml
+
+VENV := .venv
+TURNBUCKLE := $(VENV)/bin/turnbuckle
+MACHINES := $(sort $(wildcard machines/*.toml))
+TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence closed_loop gates))
+
+# The stamp's name holds the hash of all that set-up depends on: when it exists there is nothing to do.
+SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
+SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
+
+.PHONY: all help setup generate verify build demo test bench lint lock clean distclean
+
+all: ## set up, generate and verify the stock machines, build, run the demo (the default)
+	@$(MAKE) --no-print-directory generate
+	@$(MAKE) --no-print-directory verify
+	@$(MAKE) --no-print-directory build
+	@$(MAKE) --no-print-directory demo
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' Makefile
+
+setup: $(SETUP) ## install what is missing: Debian packages, the pinned Python packages, Turnbuckle itself
+
+$(SETUP):
+	.ci/install_packages .ci/packages
+	$(PYTHON) -m venv $(VENV)
+	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: --require-hashes --requirement requirements.lock
+	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --no-build-isolation --editable .
+	rm -f $(VENV)/setup-*
+	touch $@
+
+generate: $(SETUP) ## write the C of every machine in machines/ to generated/
+	@for machine in $(MACHINES); do $(TURNBUCKLE) generate $$machine --out generated/$$(basename $$machine .toml); done
+
+verify: $(SETUP) ## check the generated C of every machine against the independent reference
+	@for machine in $(MACHINES); do $(TURNBUCKLE) verify $$machine; done
+
+demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
+	@$(TURNBUCKLE) demo $(MACHINE)
+
+test: lint ## lint, then every test
+	$(VENV)/bin/python -m pytest -n 2 --dist worksteal $(TEST_FOLDERS)
+
+bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
+	$(VENV)/bin/python -m lab.bench
+
+lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
+	$(VENV)/bin/ruff check .
+	$(VENV)/bin/ruff format --check .
+	$(VENV)/bin/mypy .
+	.ci/lint_c
+
+lock: $(SETUP) ## pin requirements.in again
+	$(VENV)/bin/pip-compile --quiet --upgrade $(LOCK_FORM) --output-file requirements.lock requirements.in
+
+LOCK_FORM := --allow-unsafe --generate-hashes --strip-extras \
+  --no-emit-index-url --no-emit-find-links --no-header --no-annotate
+
+clean: ## remove what was built
+	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+
+distclean: clean ## remove the virtual environment too
+	rm -rf $(VENV) turnbuckle.egg-info
+
