@@ -44,6 +44,24 @@ generate: $(SETUP) ## write the C of every machine in machines/ to generated/
 verify: $(SETUP) ## check the generated C of every machine against the independent reference
 	@for machine in $(MACHINES); do $(TURNBUCKLE) verify $$machine; done
 
+# One library a machine and target; each is compiled again when any of its sources changed.
+TARGETS := double float cortex-m4f
+CFLAGS := -std=c11 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror
+CC_double := gcc $(CFLAGS)
+CC_float := gcc $(CFLAGS) -DTB_REAL_FLOAT
+CC_cortex-m4f := arm-none-eabi-gcc $(CFLAGS) -DTB_REAL_FLOAT \
+  -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -fno-move-loop-stores
+LIBRARIES := $(foreach name,$(basename $(notdir $(MACHINES))),$(TARGETS:%=build/$(name)/%/libturnbuckle.a))
+
+build: $(SETUP) $(LIBRARIES) ## compile generated and runtime C of every machine: double, float, Cortex-M4F
+
+.SECONDEXPANSION:
+build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch] runtime/core/*.[ch]) Makefile
+	@mkdir -p $(@D)
+	cd $(@D) && rm -f *.o && $(CC_$(*F)) -c -I$(CURDIR)/generated/$(*D) -I$(CURDIR)/runtime/core \
+	  $(addprefix $(CURDIR)/,$(filter %.c,$^))
+	@ar rcs $@ $(@D)/*.o
+
 demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 	@$(TURNBUCKLE) demo $(MACHINE)
 
