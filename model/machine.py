@@ -1,7 +1,9 @@
 """The schema of a machine file: what a cable-driven machine is, as frozen data in SI units."""
 
+import json
 import math
 import tomllib
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -58,10 +60,11 @@ class Frame(Table):
     size: Size = Field(description="width and height of the frame [m]")
 
 
-class FixedBase(Table):
+@dataclass(frozen=True)
+class FixedBase:
     """A base that stays at `position` [m]."""
 
-    position: Point
+    position: tuple[float, float]
 
     def nearest(self, point: tuple[float, float]) -> tuple[float, float]:
         """The base's position nearest to `point` [m]: its only one."""
@@ -110,8 +113,11 @@ class Cable(Table):
 
     @cached_property
     def base(self) -> FixedBase | RailBase:
-        """The pulley's base."""
-        return self.rail or FixedBase(position=self.fixed or (0.0, 0.0))
+        """Where the cable's pulley is; load_machine has seen to it that there is one."""
+        if self.rail is not None:
+            return self.rail
+        assert self.fixed is not None
+        return FixedBase(self.fixed)
 
 
 class Tension(Table):
@@ -353,31 +359,41 @@ def load_machine(path: str | Path) -> Machine:
 
 
 def _read_toml(path: Path) -> dict[str, Any]:
+    content = _read_bytes(path)
     try:
-        return tomllib.loads(_read_text(path))
+        return tomllib.loads(content.decode("utf-8"))
     except UnicodeDecodeError as error:
         found = f"a byte that is no UTF-8 at offset {error.start}"
     except tomllib.TOMLDecodeError as error:
         found = f"a mistake in the TOML: {error}"
     except (ValueError, RecursionError):
         found = "a number too long or arrays nested too deep to read"
+    raise _unreadable(path, found)
+
+
+def _read_bytes(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        found = "no such file"
+    except IsADirectoryError:
+        found = "a directory"
     except OSError as error:
-        found = "no such file" if isinstance(error, FileNotFoundError) else _reason(error)
-    raise MachineError(path, [Problem("", found, "a readable machine file, TOML in UTF-8")])
+        found = f"a file that cannot be read ({error.strerror})"
+    except ValueError:
+        found = "a name that no file can have"
+    raise _unreadable(path, found)
 
 
-def _read_text(path: Path) -> str:
-    # As bytes first: a file opened as text would lose its line ends before TOML sees them.
-    return path.read_bytes().decode("utf-8")
-
-
-def _reason(error: OSError) -> str:
-    if isinstance(error, IsADirectoryError):
-        return "a directory"
-    return f"a file that cannot be read ({error.strerror})"
+def _unreadable(path: Path, found: str) -> MachineError:
+    return MachineError(path, [Problem("", found, "a readable machine file, TOML in UTF-8")])
 
 
 def json_schema() -> dict[str, Any]:
     """The JSON Schema of a machine file, for editors (docs/machine.schema.json)."""
     dialect = "https://json-schema.org/draft/2020-12/schema"
     return {"$schema": dialect, **Machine.model_json_schema(by_alias=True)}
+
+
+if __name__ == "__main__":
+    print(json.dumps(json_schema(), indent=2))

@@ -15,6 +15,8 @@ from pydantic_core import ErrorDetails, PydanticCustomError
 Location = Sequence[str | int]
 
 LONGEST_SHOWN = 60
+# Python refuses to write out longer integers than some thousand bits.
+LONGEST_INTEGER = 1024
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 FOUND_NOTHING = "nothing, it is missing"
 
@@ -50,13 +52,22 @@ def refusal(allowed: str, found: str = "") -> PydanticCustomError:
 
 def shown(value: object) -> str:
     """A TOML value as the user wrote it, on one line and shortened."""
+    text = _in_toml(value)
+    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 3] + "..."
+
+
+def _in_toml(value: object) -> str:
     if isinstance(value, dict):
         return "a table"
-    if isinstance(value, str | int | float | bool | list):
-        text = json.dumps(value, ensure_ascii=False, default=str)
-    else:
-        text = str(value)
-    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 3] + "..."
+    if isinstance(value, list):
+        return f"[{', '.join(map(_in_toml, value))}]"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=not value.isprintable())
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, int) and value.bit_length() > LONGEST_INTEGER:
+        return "a huge number"
+    return str(value)
 
 
 def key_path(location: Location) -> str:

@@ -80,14 +80,18 @@ class Quantity:
             raise refusal(self.allowed)
         return match["number"], match["unit"]
 
-    def _in_si(self, number: Decimal, unit_text: str, found: str) -> float:
+    def _in_si(self, number: Decimal, unit: str, found: str) -> float:
         try:
-            unit = _unit(unit_text)
-        except (pint.PintError, AssertionError):
+            return self._converted(number, _unit(unit), found)
+        except (pint.PintError, AssertionError, TypeError):
+            # The last two are pint's answers to units such as dBm, which are logarithms.
             raise refusal(self.allowed, f"{found}, whose unit is unknown") from None
+
+    def _converted(self, number: Decimal, unit: Any, found: str) -> float:
         target = _unit(self.si)
         if unit.dimensionality != target.dimensionality:
-            raise refusal(f"{self.allowed} ({target.dimensionality})", f"{found} ({_kind(unit)})")
+            dimension = str(unit.dimensionality or "no dimension")
+            raise refusal(f"{self.allowed} ({target.dimensionality})", f"{found} ({dimension})")
         quantity = _registry().Quantity(number, unit)
         # To pint an angle is a plain number: 1 rad/s would pass for 1 Hz.
         if self.si == "Hz" and "radian" in dict(quantity.to_root_units().unit_items()):
@@ -110,10 +114,6 @@ class Quantity:
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> JsonSchemaValue:
         return {"type": "string", "pattern": rf"^\s*{NUMBER}\s*\S+.*$", "examples": [self.example]}
-
-
-def _kind(unit: Any) -> str:
-    return str(unit.dimensionality) if unit.dimensionality else "no dimension"
 
 
 def _pair(what: str, example: str) -> BeforeValidator:

@@ -14,7 +14,7 @@ LONGEST_IDENTIFIER = 31
 LONGEST_SOURCE = 200
 C_KEYWORD = re.compile(
     "alignas|alignof|asm|auto|bool|break|case|char|const|constexpr|continue|default|do|"
-    "double|else|enum|extern|false|float|for|fortran|goto|if|inline|int|long|main|nullptr|"
+    "double|else|enum|extern|false|float|for|goto|if|inline|int|long|nullptr|"
     "register|restrict|return|short|signed|sizeof|static|static_assert|struct|switch|"
     "thread_local|true|typedef|typeof|typeof_unqual|union|unsigned|void|volatile|while"
 )
