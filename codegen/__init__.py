@@ -1,0 +1,1 @@
+"""Symbolic model -> C: lower, simplify, arrange, print."""

@@ -1,0 +1,148 @@
+"""How far the generated C can be from the exact result: measured, at generation time.
+
+Every routine is run over the working domain in each precision exactly as the C will run, and again
+with more bits; the largest difference found, where it was found, and a bound of twice that go into
+the header. A test holds the compiled C to the bound on fresh points.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from codegen.double_double import DoubleDouble
+from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, Result, double_for, evaluate, extended
+from codegen.ir import Routine
+from codegen.samples import Sampler
+from model.machine import Machine
+
+Array = NDArray[np.float64]
+
+#: Points tried at first, and again around the worst ones in every round of the search.
+FIRST_POINTS, ROUND_POINTS, ROUNDS = 8192, 2048, 3
+#: The stated bound over the worst error found.
+MARGIN = 2.0
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """Largest error found for one output, in its unit, and the arguments it was found at."""
+
+    error: float
+    unit: str
+    place: tuple[tuple[str, tuple[float, ...]], ...]
+
+    @property
+    def bound(self) -> float:
+        """What the header promises."""
+        return MARGIN * self.error
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Worst cases of a routine: by output, then by precision."""
+
+    results: dict[str, dict[str, WorstCase]] = field(default_factory=dict)
+
+
+def measure(machine: Machine, routine: Routine, seed: int = 1) -> Accuracy:
+    """Search the working domain for the largest errors of a routine."""
+    sampler = Sampler(machine, seed, FIRST_POINTS)
+    function = routine.function
+    points = [sampler.argument(function.name, a.name, a.size) for a in function.inputs]
+    results: dict[str, dict[str, WorstCase]] = {output.name: {} for output in function.outputs}
+    for arithmetic in (DOUBLE, FLOAT):
+        worst = Search(routine, arithmetic, seed).run(points)
+        for output, case in zip(function.outputs, worst, strict=True):
+            results[output.name][arithmetic.name] = case
+    return Accuracy(results)
+
+
+class Search:
+    """Random search with refinement around the worst points."""
+
+    def __init__(self, routine: Routine, arithmetic: Arithmetic, seed: int) -> None:
+        self.routine = routine
+        self.arithmetic = arithmetic
+        self.random = np.random.default_rng(seed)
+        outputs = routine.function.outputs
+        self.worst = [WorstCase(0.0, output.unit, ()) for output in outputs]
+
+    def run(self, points: list[Array]) -> list[WorstCase]:
+        """Worst case of every output."""
+        points = self.representable(points)
+        spread = [np.ptp(p, axis=0) for p in points]
+        errors = self.errors(points)
+        self.keep(points, errors)
+        for round_number in range(ROUNDS):
+            points = self.near_the_worst(points, errors, spread, 0.1 ** (round_number + 1))
+            errors = self.errors(points)
+            self.keep(points, errors)
+        return self.worst
+
+    def representable(self, points: list[Array]) -> list[Array]:
+        """Points as the precision can hold them, so that reading them is no error."""
+        return [p.astype(self.arithmetic.number).astype(float) for p in points]
+
+    def near_the_worst(
+        self, points: list[Array], errors: Array, spread: list[Array], scale: float
+    ) -> list[Array]:
+        """New points around those with the largest errors."""
+        leaders = np.argsort(-errors.max(axis=1), kind="stable")[: ROUND_POINTS // 16]
+        chosen = np.repeat(leaders, 16)
+        moved = []
+        for p, width in zip(points, spread, strict=True):
+            noise = self.random.standard_normal((len(chosen), p.shape[1]))
+            keep = self.random.random((len(chosen), p.shape[1])) < 0.5
+            low, high = (p.min(axis=0), p.max(axis=0)) if p.size else (p, p)
+            candidate = np.clip(p[chosen] + scale * width * noise, low, high)
+            moved.append(np.where(keep, p[chosen], candidate))
+        return self.representable(moved)
+
+    def errors(self, points: list[Array]) -> Array:
+        """Error of every output at every point (count, outputs), 0 where the function refuses."""
+        typed = [p.astype(self.arithmetic.number) for p in points]
+        computed = evaluate(self.routine, typed, self.arithmetic)
+        exact = self.exact(points)
+        usable = accepted(self.routine, computed) & accepted(self.routine, exact)
+        columns = []
+        for got, wanted in zip(computed.outputs, exact.outputs, strict=True):
+            gap = np.zeros(len(points[0]))
+            for a, b in zip(got, wanted, strict=True):
+                gap = np.maximum(gap, difference(a, b))
+            columns.append(np.where(usable & np.isfinite(gap), gap, 0.0))
+        return np.stack(columns, axis=1)
+
+    def exact(self, points: list[Array]) -> Result:
+        """The same with so many more bits that its own error does not count."""
+        epsilon = self.arithmetic.epsilon
+        more = extended(epsilon) if self.arithmetic is DOUBLE else double_for(epsilon)
+        return evaluate(self.routine, points, more)
+
+    def keep(self, points: list[Array], errors: Array) -> None:
+        """Remember where each output was worst."""
+        names = [argument.name for argument in self.routine.function.inputs]
+        for output, column in enumerate(errors.T):
+            k = int(column.argmax())
+            if column[k] > self.worst[output].error:
+                place = tuple(
+                    (name, tuple(float(x) for x in p[k]))
+                    for name, p in zip(names, points, strict=True)
+                )
+                self.worst[output] = WorstCase(float(column[k]), self.worst[output].unit, place)
+
+
+def accepted(routine: Routine, result: Result) -> NDArray[np.bool_]:
+    """Points at which no fault is reported."""
+    fine = np.ones(1, dtype=bool)
+    for verdict, holds in zip(routine.function.verdicts, result.verdicts, strict=True):
+        if verdict.is_fault:
+            fine = fine & ~holds
+    return fine
+
+
+def difference(computed: Array, exact: Array | DoubleDouble) -> Array:
+    """|computed - exact| in double precision."""
+    value = DoubleDouble(np.asarray(computed, dtype=np.float64))
+    reference = exact if isinstance(exact, DoubleDouble) else DoubleDouble(exact)
+    return np.abs((value - reference).high)

@@ -1,0 +1,83 @@
+"""Keeps measured accuracies, because the search takes longer than everything else together."""
+
+import hashlib
+import inspect
+import json
+import os
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from codegen import accuracy, double_double, evaluate, ir, samples
+from codegen.accuracy import Accuracy, WorstCase, measure
+from codegen.ir import Routine
+from model.machine import Machine
+
+#: Where measurements are kept between runs; safe to delete.
+CACHE = Path(__file__).parents[1] / "build" / "accuracy"
+_METHOD = (accuracy, double_double, evaluate, ir, samples)
+
+
+def measured_accuracy(machine: Machine, routines: list[Routine]) -> dict[str, Accuracy]:
+    """Accuracy of every routine by name, from the cache where it was measured before."""
+    method = method_hash()
+    result: dict[str, Accuracy] = {}
+    for routine in routines:
+        path = CACHE / f"{key(machine, routine, method)}.json"
+        found = read(path)
+        if found is None:
+            found = measure(machine, routine)
+            keep(path, found)
+        result[routine.function.name] = found
+    return result
+
+
+def method_hash() -> str:
+    """Changes whenever the way of measuring does."""
+    sources = "".join(inspect.getsource(module) for module in _METHOD)
+    return hashlib.sha256((sources + np.__version__).encode()).hexdigest()
+
+
+def key(machine: Machine, routine: Routine, method: str) -> str:
+    """Identifies one measurement."""
+    nodes = [(n.op.value, n.args, n.value, n.entry) for n in routine.nodes]
+    content = machine.model_dump_json(exclude={"path"})
+    text = repr((method, content, routine.function.name, nodes, routine.outputs, routine.verdicts))
+    return hashlib.sha256(text.encode()).hexdigest()[:32]
+
+
+def read(path: Path) -> Accuracy | None:
+    """A kept measurement; None where there is none, or it is damaged."""
+    try:
+        content = json.loads(path.read_text())
+        return Accuracy(
+            {
+                output: {
+                    precision: WorstCase(
+                        case["error"],
+                        case["unit"],
+                        tuple((name, tuple(values)) for name, values in case["place"]),
+                    )
+                    for precision, case in cases.items()
+                }
+                for output, cases in content.items()
+            }
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def keep(path: Path, found: Accuracy) -> None:
+    """Write a measurement whole or not at all; not being able to is no error."""
+    content = {
+        output: {precision: case.__dict__ for precision, case in cases.items()}
+        for output, cases in found.results.items()
+    }
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as stream:
+            json.dump(content, stream)
+        os.replace(stream.name, path)
+    except OSError:
+        return

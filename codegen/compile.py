@@ -1,0 +1,63 @@
+"""Compiles C into a shared library, once for the same sources and flags."""
+
+import hashlib
+import os
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+#: Where libraries are kept; safe to delete.
+LIBRARIES = Path(__file__).parents[1] / "build" / "libraries"
+#: Flags that every build of ours uses: the same bits on every target, square roots inline.
+FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno")
+PRECISIONS = {"double": (), "float": ("-DTB_REAL_FLOAT",)}
+
+
+class CompileError(Exception):
+    """The C compiler refused; the text holds what it said."""
+
+
+def compile_library(
+    sources: Sequence[Path], include: Sequence[Path], precision: str = "double"
+) -> Path:
+    """Shared library of some C files for one precision ("double" or "float").
+
+    Raises CompileError with the compiler's words, ValueError for an unknown precision.
+    """
+    if precision not in PRECISIONS:
+        raise ValueError(f"precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
+    compiler = os.environ.get("CC", "gcc")
+    flags = [*FLAGS, *PRECISIONS[precision], "-shared", "-fPIC"]
+    library = LIBRARIES / f"{key(sources, include, [compiler, *flags])}.so"
+    if not library.exists():
+        library.parent.mkdir(parents=True, exist_ok=True)
+        arguments = [*flags, *(f"-I{folder}" for folder in include), *map(str, sources)]
+        run(compiler, arguments, library)
+    return library
+
+
+def key(sources: Sequence[Path], include: Sequence[Path], flags: Sequence[str]) -> str:
+    """Changes with every byte the compiler reads of ours."""
+    digest = hashlib.sha256("\0".join(flags).encode())
+    headers = [header for folder in include for header in sorted(folder.glob("*.h"))]
+    for path in [*sources, *headers]:
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:32]
+
+
+def run(compiler: str, arguments: Sequence[str], library: Path) -> None:
+    """Compile next to the target, then move it there: no one ever loads half a library."""
+    handle, name = tempfile.mkstemp(suffix=".so", dir=library.parent)
+    os.close(handle)
+    try:
+        done = subprocess.run(
+            [compiler, *arguments, "-o", name], capture_output=True, text=True, check=False
+        )
+        if done.returncode:
+            raise CompileError(f"{compiler} failed:\n{done.stderr.strip()}")
+        os.replace(name, library)
+    except FileNotFoundError:
+        raise CompileError(f"the C compiler {compiler!r} is not installed") from None
+    finally:
+        Path(name).unlink(missing_ok=True)

@@ -1,0 +1,171 @@
+"""Routines -> functions of C: prototypes, comments, guards and bodies."""
+
+import textwrap
+from dataclasses import dataclass
+
+from codegen.accuracy import Accuracy, WorstCase
+from codegen.ir import Routine, cost
+from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
+from model.symbolic.function import Input, ModelFunction, Output, Status
+
+
+@dataclass(frozen=True)
+class CFunction:
+    """One function as the templates need it."""
+
+    name: str
+    comment: str
+    prototype: str
+    body: str
+
+
+def emit(routine: Routine, accuracy: Accuracy) -> CFunction:
+    """The C of one routine."""
+    function = routine.function
+    return CFunction(
+        f"tb_{function.name}",
+        comment(routine, accuracy),
+        prototype(f"tb_{function.name}", function),
+        "\n".join(body(routine)),
+    )
+
+
+def emit_alias(name: str, routine: Routine) -> CFunction:
+    """A function that is another one under a second name."""
+    function = routine.function
+    names = [port.name for port in (*function.inputs, *function.outputs)]
+    call = f"    return tb_{function.name}({', '.join(names)});"
+    return CFunction(
+        f"tb_{name}",
+        f"What the machine file chooses for an infeasible wrench: tb_{function.name}.",
+        prototype(f"tb_{name}", function),
+        "\n".join(wrap(call, "    ")),
+    )
+
+
+def prototype(name: str, function: ModelFunction) -> str:
+    """Declaration without the semicolon."""
+    arguments = [f"const real_t {port.name}[{max(1, port.size)}]" for port in function.inputs]
+    arguments += [f"real_t {port.name}[{port.size}]" for port in function.outputs]
+    lines = wrap(f"tb_status {name}({', '.join(arguments)})", "")
+    return "\n".join(lines)
+
+
+def comment(routine: Routine, accuracy: Accuracy) -> str:
+    """What a user of the function must know: meaning, units, domain, accuracy, cost."""
+    function = routine.function
+    lines = fill(f"{function.summary}  ({function.source}).", "")
+    lines += fill(ports(function.inputs) + "  ->  " + ports(function.outputs), "")
+    lines += domain(function)
+    lines += worst(accuracy)
+    counts = ", ".join(f"{count} {name}" for name, count in cost(routine).items())
+    lines += fill(f"Cost, all branches: {counts or 'none'}.", "")
+    return "\n *  ".join(lines)
+
+
+def ports(entries: tuple[Input, ...] | tuple[Output, ...]) -> str:
+    """Names, units and shapes."""
+    return ", ".join(
+        f"{port.name} [{port.unit}] ({' x '.join(map(str, port.shape)) or 'scalar'})"
+        for port in entries
+    )
+
+
+def domain(function: ModelFunction) -> list[str]:
+    """When the function refuses, and what it then returns."""
+    lines: list[str] = []
+    for port in function.inputs:
+        if port.size:
+            lines += fill(f"Domain: {port.name} {span(port)}, else TB_OUT_OF_DOMAIN.", "")
+    for verdict in function.verdicts:
+        lines += fill(f"TB_{verdict.status.name}: {verdict.meaning}.", "")
+    return lines
+
+
+def span(port: Input) -> str:
+    """Bounds of an argument, entry by entry where they differ."""
+    bounds = list(dict.fromkeys(zip(port.low, port.high, strict=True)))
+    if len(bounds) == 1:
+        return f"in [{bounds[0][0]:.6g}, {bounds[0][1]:.6g}] {port.unit}"
+    return (
+        "in "
+        + " x ".join(
+            f"[{low:.6g}, {high:.6g}]" for low, high in zip(port.low, port.high, strict=True)
+        )
+        + f" {port.unit}"
+    )
+
+
+def worst(accuracy: Accuracy) -> list[str]:
+    """Measured error of every result in both precisions."""
+    lines: list[str] = []
+    for name, cases in accuracy.results.items():
+        text = "; ".join(case_text(precision, case) for precision, case in cases.items())
+        lines += fill(f"Error of {name}: {text}.", "")
+    return lines
+
+
+def case_text(precision: str, case: WorstCase) -> str:
+    """The error of one result in one precision."""
+    return f"{precision} <= {case.bound:.1e} {case.unit} (worst found {case.error:.1e})"
+
+
+def fill(text: str, indent: str) -> list[str]:
+    """Wrap the text of a comment."""
+    return textwrap.wrap(text, LINE_WIDTH - 4, subsequent_indent=indent + "  ")
+
+
+def body(routine: Routine) -> list[str]:
+    """Guards, then the computation, then the verdicts."""
+    printer = Printer(routine)
+    function = routine.function
+    lines = [f"    (void){port.name};" for port in function.inputs if not port.size]
+    lines += guard(function)
+    lines += printer.body()
+    for verdict, number in zip(function.verdicts, routine.verdicts, strict=True):
+        if verdict.is_fault:
+            lines += refusal(printer.result(number), verdict.status, function)
+    for output, numbers in zip(function.outputs, routine.outputs, strict=True):
+        for entry, number in enumerate(numbers):
+            lines += wrap(f"    {output.name}[{entry}] = {printer.result(number)};", "    ")
+    return [*lines, *answer(routine, printer)]
+
+
+def answer(routine: Routine, printer: Printer) -> list[str]:
+    """The last line: fine, or valid but infeasible."""
+    for verdict, number in zip(routine.function.verdicts, routine.verdicts, strict=True):
+        if not verdict.is_fault:
+            return [
+                f"    return {printer.operand(number).within(0)} ? TB_{verdict.status.name} : TB_OK;"
+            ]
+    return ["    return TB_OK;"]
+
+
+def guard(function: ModelFunction) -> list[str]:
+    """Refuses arguments outside their bounds; a NaN is never inside."""
+    tests = [
+        f"{port.name}[{entry}] >= {literal(low)} && {port.name}[{entry}] <= {literal(high)}"
+        for port in function.inputs
+        for entry, (low, high) in enumerate(zip(port.low, port.high, strict=True))
+    ]
+    if not tests:
+        return []
+    lines = [f"    if (!({tests[0]}"]
+    lines += [f"          && {test}" for test in tests[1:]]
+    lines[-1] += ")) {"
+    return [*lines, *fallback(Status.OUT_OF_DOMAIN, function), "    }"]
+
+
+def refusal(condition: str, status: Status, function: ModelFunction) -> list[str]:
+    """Returns the fallback where a condition holds."""
+    return [*wrap(f"    if ({condition}) {{", "    "), *fallback(status, function), "    }"]
+
+
+def fallback(status: Status, function: ModelFunction) -> list[str]:
+    """Statements that give every output its fallback and return."""
+    lines = [
+        f"        {output.name}[{entry}] = {literal(output.fallback)};"
+        for output in function.outputs
+        for entry in range(output.size)
+    ]
+    return [*lines, f"        return TB_{status.name};"]

@@ -1,0 +1,221 @@
+"""Arranged nodes -> lines of C99."""
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from codegen.arrange import Block, Branch, arrange
+from codegen.ir import LEAVES, LOGICAL, Node, Op, Routine
+
+#: Longest line of code that is printed.
+LINE_WIDTH = 96
+
+_INFIX = {
+    Op.ADD: ("+", 4),
+    Op.SUB: ("-", 4),
+    Op.MUL: ("*", 5),
+    Op.DIV: ("/", 5),
+    Op.LT: ("<", 3),
+    Op.LE: ("<=", 3),
+    Op.EQ: ("==", 2),
+    Op.NE: ("!=", 2),
+    Op.AND: ("&&", 1),
+    Op.OR: ("||", 0),
+}
+_ATOM, _UNARY, _TERNARY = 9, 7, -1
+
+
+@dataclass(frozen=True)
+class Text:
+    """C of an expression and how tightly its outermost operator binds."""
+
+    code: str
+    binding: int
+
+    def within(self, binding: int) -> str:
+        """The code, in parentheses unless it binds tighter than its surroundings."""
+        return self.code if self.binding > binding else f"({self.code})"
+
+
+def literal(value: float) -> str:
+    """A constant that reads back to the same number in either precision."""
+    digits = repr(float(value))
+    return f"TB_C({digits})" if value >= 0 else f"-TB_C({digits[1:]})"
+
+
+class Printer:
+    """Prints the body of one routine."""
+
+    def __init__(self, routine: Routine) -> None:
+        self.routine = routine
+        self.nodes = routine.nodes
+        self.block = arrange(routine)
+        self.names: dict[int, str] = {}
+        self.notes: dict[int, str] = {}
+        self.home: dict[int, int] = {}
+        self.uses: Counter[int] = Counter()
+        self.texts: dict[int, Text] = {}
+        self.temporaries = 0
+        self.find_homes(self.block)
+        self.count_uses()
+        self.take_labels()
+
+    def find_homes(self, block: Block) -> None:
+        """Remember which block computes each node."""
+        for item in block:
+            if isinstance(item, Branch):
+                self.home.update(dict.fromkeys(item.selects, id(block)))
+                self.find_homes(item.yes)
+                self.find_homes(item.no)
+            else:
+                self.home[item] = id(block)
+
+    def count_uses(self) -> None:
+        """How often each node is read."""
+        needed = self.routine.needed()
+        for number in needed:
+            self.uses.update(self.nodes[number].args)
+        self.uses.update(self.routine.roots())
+
+    def take_labels(self) -> None:
+        """Names and notes that the model gives to intermediate results."""
+        for label, numbers in zip(self.routine.function.labels, self.routine.labels, strict=True):
+            present = [n for n in numbers if n in self.home and n not in self.names]
+            for entry, number in enumerate(numbers):
+                if number in present:
+                    suffix = f"_{entry}" if len(numbers) > 1 else ""
+                    self.names[number] = f"{label.name}{suffix}"
+            if present and label.note:
+                self.notes[min(present)] = label.note
+        for output, numbers in zip(
+            self.routine.function.outputs, self.routine.outputs, strict=True
+        ):
+            for entry, number in enumerate(numbers):
+                if number in self.home:
+                    self.names.setdefault(number, f"{output.name}_{entry}")
+
+    def body(self) -> list[str]:
+        """Lines that compute everything the function returns."""
+        return self.statements(self.block, "    ")
+
+    def statements(self, block: Block, indent: str) -> list[str]:
+        """Lines of one block."""
+        lines: list[str] = []
+        for item in block:
+            if isinstance(item, Branch):
+                lines += self.branch(item, indent)
+            elif not self.inlined(item, block):
+                lines += self.definition(item, indent)
+        return lines
+
+    def inlined(self, number: int, block: Block) -> bool:
+        """Whether the node is written where it is used instead of getting a name."""
+        text = self.expression(self.nodes[number])
+        single = self.uses[number] == 1 and number not in self.names
+        user_is_near = any(number in self.nodes[user].args for user in self.near(block))
+        if single and user_is_near and len(text.code) <= LINE_WIDTH // 2:
+            self.texts[number] = text
+            return True
+        return False
+
+    def near(self, block: Block) -> list[int]:
+        """Nodes printed at the level of a block."""
+        level: list[int] = []
+        for item in block:
+            level += item.selects if isinstance(item, Branch) else [item]
+        return level
+
+    def definition(self, number: int, indent: str) -> list[str]:
+        """A named intermediate result."""
+        lines = [f"{indent}/* {self.notes[number]} */"] if number in self.notes else []
+        kind = "bool" if self.nodes[number].op in LOGICAL else "real_t"
+        text = self.expression(self.nodes[number])
+        name = self.name(number)
+        return lines + wrap(f"{indent}const {kind} {name} = {text.code};", indent)
+
+    def branch(self, branch: Branch, indent: str) -> list[str]:
+        """An if that gives values to its choices."""
+        names = [self.name(select) for select in branch.selects]
+        lines = [f"{indent}/* {self.notes[s]} */" for s in branch.selects if s in self.notes]
+        lines += wrap(f"{indent}real_t {', '.join(names)};", indent)
+        for arm, (keyword, block) in enumerate((("if", branch.yes), ("} else", branch.no)), 1):
+            head = f"if ({self.operand(branch.condition).code})" if arm == 1 else "} else"
+            lines += wrap(f"{indent}{head} {{", indent)
+            lines += self.statements(block, indent + "    ")
+            for select, name in zip(branch.selects, names, strict=True):
+                value = self.operand(self.nodes[select].args[arm])
+                lines += wrap(f"{indent}    {name} = {value.code};", indent + "    ")
+        for select, name in zip(branch.selects, names, strict=True):
+            self.texts[select] = Text(name, _ATOM)
+        return [*lines, f"{indent}}}"]
+
+    def name(self, number: int) -> str:
+        """The C name of a node; made up where the model gives none."""
+        if number not in self.names:
+            self.names[number] = f"t{self.temporaries}"
+            self.temporaries += 1
+        self.texts[number] = Text(self.names[number], _ATOM)
+        return self.names[number]
+
+    def operand(self, number: int) -> Text:
+        """A node as it is read by another."""
+        node = self.nodes[number]
+        if node.op in LEAVES:
+            return self.leaf(node)
+        return self.texts[number]
+
+    def leaf(self, node: Node) -> Text:
+        """A constant, an input entry or the machine epsilon."""
+        if node.op is Op.CONSTANT:
+            return Text(literal(node.value), _ATOM if node.value >= 0 else _UNARY)
+        if node.op is Op.EPSILON:
+            return Text("TB_EPSILON", _ATOM)
+        argument, entry = node.entry
+        return Text(f"{self.routine.function.inputs[argument].name}[{entry}]", _ATOM)
+
+    def expression(self, node: Node) -> Text:
+        """The operation of a node on its operands."""
+        args = [self.operand(arg) for arg in node.args]
+        if node.op in _INFIX:
+            return self.infix(node.op, *args)
+        return _PREFIX[node.op](*args)
+
+    def infix(self, op: Op, left: Text, right: Text) -> Text:
+        """Two operands around an operator, grouped exactly as the nodes are."""
+        symbol, binding = _INFIX[op]
+        if op in (Op.AND, Op.OR):
+            same = left.within(2) if left.binding != binding else left.code
+            return Text(f"{same} {symbol} {right.within(2)}", binding)
+        return Text(f"{left.within(binding - 1)} {symbol} {right.within(binding)}", binding)
+
+    def result(self, number: int) -> str:
+        """A node as the right-hand side of an output."""
+        return self.operand(number).code
+
+
+def _choice(condition: Text, yes: Text, no: Text) -> Text:
+    code = f"{condition.within(_TERNARY)} ? {yes.within(_TERNARY)} : {no.within(_TERNARY)}"
+    return Text(code, _TERNARY)
+
+
+_PREFIX: dict[Op, Callable[..., Text]] = {
+    Op.NEG: lambda a: Text(f"-{a.within(_UNARY)}", _UNARY),
+    Op.NOT: lambda a: Text(f"!{a.within(_UNARY)}", _UNARY),
+    Op.SQRT: lambda a: Text(f"TB_SQRT({a.code})", _ATOM),
+    Op.ABS: lambda a: Text(f"TB_ABS({a.code})", _ATOM),
+    Op.MIN: lambda a, b: Text(f"tb_min({a.code}, {b.code})", _ATOM),
+    Op.MAX: lambda a, b: Text(f"tb_max({a.code}, {b.code})", _ATOM),
+    Op.SELECT: _choice,
+}
+
+
+def wrap(line: str, indent: str) -> list[str]:
+    """Break a long line at its outermost spaces."""
+    lines: list[str] = []
+    while len(line) > LINE_WIDTH:
+        cut = line.rfind(" ", len(indent) + 8, LINE_WIDTH)
+        if cut < 0:
+            break
+        lines.append(line[:cut])
+        line = f"{indent}    {line[cut + 1 :]}"
+    return [*lines, line]

@@ -1,0 +1,141 @@
+"""Points of a machine's working domain at which generated functions are tried.
+
+A share of all coordinates sits on a border or in the middle, where kinematics are singular and
+tensions meet their bounds. The same seed gives the same points everywhere.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.machine import FixedBase, Machine, RailBase
+
+Array = NDArray[np.float64]
+
+#: Share of the coordinates that is put on a border, and in the middle.
+BORDER_SHARE, MIDDLE_SHARE = 0.1, 0.05
+#: Fraction of the samples whose bases are at their targets, as in operation.
+TRACKING_SHARE = 0.5
+
+
+class Sampler:
+    """Draws consistent arguments by name."""
+
+    def __init__(self, machine: Machine, seed: int, count: int) -> None:
+        self.machine = machine
+        self.random = np.random.default_rng(seed)
+        self.count = count
+        self.pose = self.box([0.0] * machine.dof, machine.frame.size)
+        self.rails = self.draw_rails()
+        self.vectors = self.base_points() - self.pose[:, None, :]
+        self.lengths = np.sqrt((self.vectors**2).sum(axis=2))
+        safe = np.where(self.lengths > 0, self.lengths, 1.0)
+        self.structure = np.swapaxes(self.vectors / safe[:, :, None], 1, 2)
+
+    def box(self, low: Sequence[float], high: Sequence[float]) -> Array:
+        """Points of a box, with the shares on its borders and in its middle."""
+        lows, highs = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
+        shape = (self.count, len(lows))
+        fraction = self.random.random(shape)
+        kind = self.random.random(shape)
+        side = self.random.integers(0, 2, shape).astype(float)
+        fraction = np.where(kind < BORDER_SHARE, side, fraction)
+        fraction = np.where(kind > 1 - MIDDLE_SHARE, 0.5, fraction)
+        return lows + fraction * (highs - lows)
+
+    def rail_bases(self) -> list[RailBase]:
+        """The bases that slide."""
+        bases = [self.machine.cables[i].base for i in self.machine.rail_cables]
+        return [base for base in bases if isinstance(base, RailBase)]
+
+    def draw_rails(self) -> Array:
+        """Rail coordinates: half of them where the bases would follow the platform."""
+        bases = self.rail_bases()
+        anywhere = self.box([0.0] * len(bases), [base.length for base in bases])
+        tracking = anywhere.copy()
+        for k, base in enumerate(bases):
+            arm = self.pose - np.asarray(base.start)
+            tracking[:, k] = np.clip(arm @ np.asarray(base.direction), 0.0, base.length)
+        follows = self.random.random((self.count, 1)) < TRACKING_SHARE
+        return np.where(follows, tracking, anywhere)
+
+    def base_points(self) -> Array:
+        """Pulley points (count, n, d)."""
+        points = np.empty((self.count, len(self.machine.cables), self.machine.dof))
+        column = {cable: k for k, cable in enumerate(self.machine.rail_cables)}
+        for i, cable in enumerate(self.machine.cables):
+            if isinstance(cable.base, FixedBase):
+                points[:, i] = cable.base.position
+            else:
+                coordinate = self.rails[:, column[i], None]
+                points[:, i] = cable.base.start + coordinate * np.asarray(cable.base.direction)
+        return points
+
+    def symmetric(self, size: int, bound: float) -> Array:
+        """Entries within +-bound."""
+        return self.box([-bound] * size, [bound] * size)
+
+    def tensions(self) -> Array:
+        """Cable tensions from T_min to T_max, some on the bounds."""
+        low, high = self.machine.tension.min, self.machine.tension.max
+        count = len(self.machine.cables)
+        return self.box([low] * count, [high] * count)
+
+    def wrenches(self) -> Array:
+        """Wrenches: exerted by admissible tensions, scaled to lie inside, on or beyond the border."""
+        exerted = np.einsum("kdn,kn->kd", self.structure, self.tensions())
+        scale = self.random.choice([0.0, 0.5, 1.0, 1.0, 1.5], (self.count, 1))
+        anything = self.symmetric(self.machine.dof, 2 * self.machine.tension.max)
+        return np.where(self.random.random((self.count, 1)) < 0.7, scale * exerted, anything)
+
+    def memory(self, columns: Sequence[float], count: int) -> Array:
+        """Remembered quantities, each column within its own bound."""
+        return np.stack([self.symmetric(count, bound) for bound in columns], axis=2).reshape(
+            self.count, -1
+        )
+
+    def argument(self, function: str, name: str, size: int) -> Array:
+        """Values of one argument (count, size)."""
+        special = _SPECIAL.get((function, name)) or _BY_NAME[name]
+        return special(self, size).reshape(self.count, size)
+
+
+def _observer_memory(sampler: Sampler, size: int) -> Array:
+    torque = sampler.machine.tension.max * sampler.machine.drum.radius
+    count = len(sampler.machine.cables)
+    rest = sampler.memory([300.0, torque, torque, torque], count).reshape(sampler.count, count, 4)
+    step = sampler.symmetric(count, 1e-3)
+    return np.concatenate([(sampler.lengths + step)[:, :, None], rest], axis=2)
+
+
+def _pid_memory(sampler: Sampler, size: int) -> Array:
+    drive = sampler.machine.rail_drive
+    assert drive is not None
+    count = len(sampler.machine.rail_cables)
+    rest = sampler.memory([drive.force_limit, 1.0], count).reshape(sampler.count, count, 2)
+    measured = sampler.rails + sampler.symmetric(count, 1e-3)
+    return np.stack([rest[:, :, 0], measured, rest[:, :, 1]], axis=2)
+
+
+_BY_NAME: dict[str, Callable[[Sampler, int], Array]] = {
+    "pose": lambda s, _: s.pose,
+    "rails": lambda s, _: s.rails,
+    "target": lambda s, _: s.rails,
+    "measured": lambda s, _: s.rails + s.symmetric(s.rails.shape[1], 0.01),
+    "lengths": lambda s, _: s.lengths,
+    "length": lambda s, _: s.lengths,
+    "structure": lambda s, _: s.structure,
+    "tension": lambda s, _: s.tensions(),
+    "load": lambda s, _: s.tensions(),
+    "wrench": lambda s, _: s.wrenches(),
+    "hand_force": lambda s, size: s.symmetric(size, s.machine.tension.max),
+    "velocity": lambda s, size: s.symmetric(size, 1.0),
+    "length_rates": lambda s, size: s.symmetric(size, 1.0),
+    "rail_rates": lambda s, size: s.symmetric(size, 1.0),
+    "applied": lambda s, size: s.symmetric(size, s.machine.cable_motor.torque_limit),
+}
+_SPECIAL: dict[tuple[str, str], Callable[[Sampler, int], Array]] = {
+    ("observe_disturbance", "memory"): _observer_memory,
+    ("base_pid", "memory"): _pid_memory,
+}

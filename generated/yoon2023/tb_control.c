@@ -1,0 +1,341 @@
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+ * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#include "tb_control.h"
+
+tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
+{
+    if (!(tension[0] >= -TB_C(10000.0) && tension[0] <= TB_C(10000.0)
+          && tension[1] >= -TB_C(10000.0) && tension[1] <= TB_C(10000.0)
+          && tension[2] >= -TB_C(10000.0) && tension[2] <= TB_C(10000.0)
+          && tension[3] >= -TB_C(10000.0) && tension[3] <= TB_C(10000.0))) {
+        torque[0] = TB_C(0.0);
+        torque[1] = TB_C(0.0);
+        torque[2] = TB_C(0.0);
+        torque[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t torque_0 = TB_C(0.005) * tension[0];
+    const real_t torque_1 = TB_C(0.005) * tension[1];
+    const real_t torque_2 = TB_C(0.005) * tension[2];
+    const real_t torque_3 = TB_C(0.005) * tension[3];
+    torque[0] = torque_0;
+    torque[1] = torque_1;
+    torque[2] = torque_2;
+    torque[3] = torque_3;
+    return TB_OK;
+}
+
+tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t force[2])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && velocity[0] >= -TB_C(100.0) && velocity[0] <= TB_C(100.0)
+          && velocity[1] >= -TB_C(100.0) && velocity[1] <= TB_C(100.0))) {
+        force[0] = TB_C(0.0);
+        force[1] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = pose[0] - TB_C(0.56);
+    const real_t t1 = tb_max(TB_C(0.0), t0 * TB_C(3560.0) + TB_C(5.0) * velocity[0]);
+    const real_t force_0 = TB_C(0.0) < t0 ? -t1 : TB_C(0.0);
+    const real_t t2 = pose[1] - TB_C(0.33);
+    const real_t t3 = tb_max(TB_C(0.0), t2 * TB_C(3575.0) + TB_C(5.0) * velocity[1]);
+    const real_t force_1 = TB_C(0.0) < t2 ? -t3 : TB_C(0.0);
+    force[0] = force_0;
+    force[1] = force_1;
+    return TB_OK;
+}
+
+tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
+    hand_force[2], real_t load[4])
+{
+    if (!(structure[0] >= -TB_C(4.0) && structure[0] <= TB_C(4.0)
+          && structure[1] >= -TB_C(4.0) && structure[1] <= TB_C(4.0)
+          && structure[2] >= -TB_C(4.0) && structure[2] <= TB_C(4.0)
+          && structure[3] >= -TB_C(4.0) && structure[3] <= TB_C(4.0)
+          && structure[4] >= -TB_C(4.0) && structure[4] <= TB_C(4.0)
+          && structure[5] >= -TB_C(4.0) && structure[5] <= TB_C(4.0)
+          && structure[6] >= -TB_C(4.0) && structure[6] <= TB_C(4.0)
+          && structure[7] >= -TB_C(4.0) && structure[7] <= TB_C(4.0)
+          && tension[0] >= -TB_C(10000.0) && tension[0] <= TB_C(10000.0)
+          && tension[1] >= -TB_C(10000.0) && tension[1] <= TB_C(10000.0)
+          && tension[2] >= -TB_C(10000.0) && tension[2] <= TB_C(10000.0)
+          && tension[3] >= -TB_C(10000.0) && tension[3] <= TB_C(10000.0)
+          && hand_force[0] >= -TB_C(40000.0) && hand_force[0] <= TB_C(40000.0)
+          && hand_force[1] >= -TB_C(40000.0) && hand_force[1] <= TB_C(40000.0))) {
+        load[0] = TB_C(3.0);
+        load[1] = TB_C(3.0);
+        load[2] = TB_C(3.0);
+        load[3] = TB_C(3.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = structure[4] * structure[0] + structure[5] * structure[1];
+    const real_t t1 = t0 + structure[6] * structure[2] + structure[7] * structure[3];
+    const real_t t2 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t3 = t2 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t4 = TB_C(1.0) / t3;
+    const real_t t5 = t1 * t4;
+    const real_t t6 = tension[0] * structure[0] + structure[1] * tension[1];
+    const real_t t7 = t6 + structure[2] * tension[2] + structure[3] * tension[3];
+    const real_t t8 = hand_force[0] + t7;
+    const real_t t9 = tension[0] * structure[4] + structure[5] * tension[1];
+    const real_t t10 = t9 + structure[6] * tension[2] + structure[7] * tension[3];
+    const real_t t11 = structure[4] * structure[4] + structure[5] * structure[5];
+    const real_t t12 = t11 + structure[6] * structure[6] + structure[7] * structure[7];
+    const real_t t13 = t12 - t3 * (t5 * t5);
+    const real_t t14 = (t5 * t8 - (hand_force[1] + t10)) / t13;
+    const real_t t15 = t4 * t8 + t5 * t14;
+    const real_t load_0 = tension[0] + (structure[4] * t14 - structure[0] * t15);
+    const real_t load_1 = tension[1] + (structure[5] * t14 - structure[1] * t15);
+    const real_t load_2 = tension[2] + (structure[6] * t14 - structure[2] * t15);
+    const real_t load_3 = tension[3] + (structure[7] * t14 - structure[3] * t15);
+    const bool t16 = tb_min(t3, t13) < TB_C(1e-06);
+    if (t16) {
+        load[0] = TB_C(3.0);
+        load[1] = TB_C(3.0);
+        load[2] = TB_C(3.0);
+        load[3] = TB_C(3.0);
+        return TB_SINGULAR;
+    }
+    load[0] = load_0;
+    load[1] = load_1;
+    load[2] = load_2;
+    load[3] = load_3;
+    return TB_OK;
+}
+
+tb_status tb_base_targets(const real_t pose[2], real_t target[4])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236))) {
+        target[0] = TB_C(0.0);
+        target[1] = TB_C(0.0);
+        target[2] = TB_C(0.0);
+        target[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_C(0.7118));
+    const real_t target_1 = tb_min(tb_max(pose[1], TB_C(0.0)), TB_C(0.4618));
+    target[0] = target_0;
+    target[1] = target_1;
+    target[2] = target_0;
+    target[3] = target_1;
+    return TB_OK;
+}
+
+tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
+    measured[4], real_t next_memory[12], real_t force[4])
+{
+    if (!(memory[0] >= -TB_C(1000000.0) && memory[0] <= TB_C(1000000.0)
+          && memory[1] >= -TB_C(1000000.0) && memory[1] <= TB_C(1000000.0)
+          && memory[2] >= -TB_C(1000000.0) && memory[2] <= TB_C(1000000.0)
+          && memory[3] >= -TB_C(1000000.0) && memory[3] <= TB_C(1000000.0)
+          && memory[4] >= -TB_C(1000000.0) && memory[4] <= TB_C(1000000.0)
+          && memory[5] >= -TB_C(1000000.0) && memory[5] <= TB_C(1000000.0)
+          && memory[6] >= -TB_C(1000000.0) && memory[6] <= TB_C(1000000.0)
+          && memory[7] >= -TB_C(1000000.0) && memory[7] <= TB_C(1000000.0)
+          && memory[8] >= -TB_C(1000000.0) && memory[8] <= TB_C(1000000.0)
+          && memory[9] >= -TB_C(1000000.0) && memory[9] <= TB_C(1000000.0)
+          && memory[10] >= -TB_C(1000000.0) && memory[10] <= TB_C(1000000.0)
+          && memory[11] >= -TB_C(1000000.0) && memory[11] <= TB_C(1000000.0)
+          && target[0] >= -TB_C(0.7118) && target[0] <= TB_C(1.4236)
+          && target[1] >= -TB_C(0.4618) && target[1] <= TB_C(0.9236)
+          && target[2] >= -TB_C(0.7118) && target[2] <= TB_C(1.4236)
+          && target[3] >= -TB_C(0.4618) && target[3] <= TB_C(0.9236)
+          && measured[0] >= -TB_C(0.7118) && measured[0] <= TB_C(1.4236)
+          && measured[1] >= -TB_C(0.4618) && measured[1] <= TB_C(0.9236)
+          && measured[2] >= -TB_C(0.7118) && measured[2] <= TB_C(1.4236)
+          && measured[3] >= -TB_C(0.4618) && measured[3] <= TB_C(0.9236))) {
+        next_memory[0] = TB_C(0.0);
+        next_memory[1] = TB_C(0.0);
+        next_memory[2] = TB_C(0.0);
+        next_memory[3] = TB_C(0.0);
+        next_memory[4] = TB_C(0.0);
+        next_memory[5] = TB_C(0.0);
+        next_memory[6] = TB_C(0.0);
+        next_memory[7] = TB_C(0.0);
+        next_memory[8] = TB_C(0.0);
+        next_memory[9] = TB_C(0.0);
+        next_memory[10] = TB_C(0.0);
+        next_memory[11] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        force[1] = TB_C(0.0);
+        force[2] = TB_C(0.0);
+        force[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = target[0] - measured[0];
+    const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
+    const real_t next_memory_2 = memory[2] + TB_C(0.7153904566639707) * t1;
+    const real_t t2 = TB_C(11000.0) * t0 + memory[0] - TB_C(140.0) * next_memory_2;
+    const bool t3 = (TB_C(60.0) < t2 && TB_C(0.0) < t0) || (t2 < -TB_C(60.0) && t0 < TB_C(0.0));
+    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_C(30.0);
+    const real_t t4 = target[1] - measured[1];
+    const real_t t5 = TB_C(1000.0) * (measured[1] - memory[4]) - memory[5];
+    const real_t next_memory_5 = memory[5] + TB_C(0.7153904566639707) * t5;
+    const real_t t6 = TB_C(11000.0) * t4 + memory[3] - TB_C(140.0) * next_memory_5;
+    const bool t7 = (TB_C(60.0) < t6 && TB_C(0.0) < t4) || (t6 < -TB_C(60.0) && t4 < TB_C(0.0));
+    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_C(30.0) * t4;
+    const real_t t8 = target[2] - measured[2];
+    const real_t t9 = TB_C(1000.0) * (measured[2] - memory[7]) - memory[8];
+    const real_t next_memory_8 = memory[8] + TB_C(0.7153904566639707) * t9;
+    const real_t t10 = TB_C(11000.0) * t8 + memory[6] - TB_C(140.0) * next_memory_8;
+    const bool t11 = (TB_C(60.0) < t10 && TB_C(0.0) < t8) || (t10 < -TB_C(60.0) && t8 <
+        TB_C(0.0));
+    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_C(30.0) * t8;
+    const real_t t12 = target[3] - measured[3];
+    const real_t t13 = TB_C(1000.0) * (measured[3] - memory[10]) - memory[11];
+    const real_t next_memory_11 = memory[11] + TB_C(0.7153904566639707) * t13;
+    const real_t t14 = TB_C(11000.0) * t12 + memory[9] - TB_C(140.0) * next_memory_11;
+    const bool t15 = (TB_C(60.0) < t14 && TB_C(0.0) < t12) || (t14 < -TB_C(60.0) && t12 <
+        TB_C(0.0));
+    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_C(30.0) * t12;
+    const real_t force_0 = tb_min(tb_max(t2, -TB_C(60.0)), TB_C(60.0));
+    const real_t force_1 = tb_min(tb_max(t6, -TB_C(60.0)), TB_C(60.0));
+    const real_t force_2 = tb_min(tb_max(t10, -TB_C(60.0)), TB_C(60.0));
+    const real_t force_3 = tb_min(tb_max(t14, -TB_C(60.0)), TB_C(60.0));
+    next_memory[0] = next_memory_0;
+    next_memory[1] = measured[0];
+    next_memory[2] = next_memory_2;
+    next_memory[3] = next_memory_3;
+    next_memory[4] = measured[1];
+    next_memory[5] = next_memory_5;
+    next_memory[6] = next_memory_6;
+    next_memory[7] = measured[2];
+    next_memory[8] = next_memory_8;
+    next_memory[9] = next_memory_9;
+    next_memory[10] = measured[3];
+    next_memory[11] = next_memory_11;
+    force[0] = force_0;
+    force[1] = force_1;
+    force[2] = force_2;
+    force[3] = force_3;
+    return TB_OK;
+}
+
+tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
+    load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4])
+{
+    if (!(memory[0] >= -TB_C(1000000.0) && memory[0] <= TB_C(1000000.0)
+          && memory[1] >= -TB_C(1000000.0) && memory[1] <= TB_C(1000000.0)
+          && memory[2] >= -TB_C(1000000.0) && memory[2] <= TB_C(1000000.0)
+          && memory[3] >= -TB_C(1000000.0) && memory[3] <= TB_C(1000000.0)
+          && memory[4] >= -TB_C(1000000.0) && memory[4] <= TB_C(1000000.0)
+          && memory[5] >= -TB_C(1000000.0) && memory[5] <= TB_C(1000000.0)
+          && memory[6] >= -TB_C(1000000.0) && memory[6] <= TB_C(1000000.0)
+          && memory[7] >= -TB_C(1000000.0) && memory[7] <= TB_C(1000000.0)
+          && memory[8] >= -TB_C(1000000.0) && memory[8] <= TB_C(1000000.0)
+          && memory[9] >= -TB_C(1000000.0) && memory[9] <= TB_C(1000000.0)
+          && memory[10] >= -TB_C(1000000.0) && memory[10] <= TB_C(1000000.0)
+          && memory[11] >= -TB_C(1000000.0) && memory[11] <= TB_C(1000000.0)
+          && memory[12] >= -TB_C(1000000.0) && memory[12] <= TB_C(1000000.0)
+          && memory[13] >= -TB_C(1000000.0) && memory[13] <= TB_C(1000000.0)
+          && memory[14] >= -TB_C(1000000.0) && memory[14] <= TB_C(1000000.0)
+          && memory[15] >= -TB_C(1000000.0) && memory[15] <= TB_C(1000000.0)
+          && memory[16] >= -TB_C(1000000.0) && memory[16] <= TB_C(1000000.0)
+          && memory[17] >= -TB_C(1000000.0) && memory[17] <= TB_C(1000000.0)
+          && memory[18] >= -TB_C(1000000.0) && memory[18] <= TB_C(1000000.0)
+          && memory[19] >= -TB_C(1000000.0) && memory[19] <= TB_C(1000000.0)
+          && length[0] >= TB_C(0.0) && length[0] <= TB_C(4.6944)
+          && length[1] >= TB_C(0.0) && length[1] <= TB_C(4.6944)
+          && length[2] >= TB_C(0.0) && length[2] <= TB_C(4.6944)
+          && length[3] >= TB_C(0.0) && length[3] <= TB_C(4.6944)
+          && load[0] >= -TB_C(10000.0) && load[0] <= TB_C(10000.0)
+          && load[1] >= -TB_C(10000.0) && load[1] <= TB_C(10000.0)
+          && load[2] >= -TB_C(10000.0) && load[2] <= TB_C(10000.0)
+          && load[3] >= -TB_C(10000.0) && load[3] <= TB_C(10000.0)
+          && applied[0] >= -TB_C(50.0) && applied[0] <= TB_C(50.0)
+          && applied[1] >= -TB_C(50.0) && applied[1] <= TB_C(50.0)
+          && applied[2] >= -TB_C(50.0) && applied[2] <= TB_C(50.0)
+          && applied[3] >= -TB_C(50.0) && applied[3] <= TB_C(50.0))) {
+        next_memory[0] = TB_C(0.0);
+        next_memory[1] = TB_C(0.0);
+        next_memory[2] = TB_C(0.0);
+        next_memory[3] = TB_C(0.0);
+        next_memory[4] = TB_C(0.0);
+        next_memory[5] = TB_C(0.0);
+        next_memory[6] = TB_C(0.0);
+        next_memory[7] = TB_C(0.0);
+        next_memory[8] = TB_C(0.0);
+        next_memory[9] = TB_C(0.0);
+        next_memory[10] = TB_C(0.0);
+        next_memory[11] = TB_C(0.0);
+        next_memory[12] = TB_C(0.0);
+        next_memory[13] = TB_C(0.0);
+        next_memory[14] = TB_C(0.0);
+        next_memory[15] = TB_C(0.0);
+        next_memory[16] = TB_C(0.0);
+        next_memory[17] = TB_C(0.0);
+        next_memory[18] = TB_C(0.0);
+        next_memory[19] = TB_C(0.0);
+        disturbance[0] = TB_C(0.0);
+        disturbance[1] = TB_C(0.0);
+        disturbance[2] = TB_C(0.0);
+        disturbance[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = TB_C(6186.015601338797) * (length[0] - memory[0]);
+    const real_t next_memory_1 = TB_C(0.969069921993306) * memory[1] + t0;
+    const real_t next_memory_2 = applied[0] - TB_C(0.005) * load[0];
+    const real_t t1 = TB_C(0.015465039003346994) * (next_memory_2 + memory[2]);
+    const real_t next_memory_3 = TB_C(0.969069921993306) * memory[3] + t1;
+    const real_t t2 = TB_C(6.495316381405736e-05) * (next_memory_1 - memory[1]);
+    const real_t t3 = TB_C(5e-05) * (memory[1] + next_memory_1) + (memory[3] + next_memory_3);
+    const real_t next_memory_4 = TB_C(0.969069921993306) * memory[4] + t2 +
+        TB_C(0.015465039003346994) * t3;
+    const real_t t4 = TB_C(6186.015601338797) * (length[1] - memory[5]);
+    const real_t next_memory_6 = TB_C(0.969069921993306) * memory[6] + t4;
+    const real_t next_memory_7 = applied[1] - TB_C(0.005) * load[1];
+    const real_t t5 = TB_C(0.015465039003346994) * (next_memory_7 + memory[7]);
+    const real_t next_memory_8 = TB_C(0.969069921993306) * memory[8] + t5;
+    const real_t t6 = TB_C(6.495316381405736e-05) * (next_memory_6 - memory[6]);
+    const real_t t7 = TB_C(5e-05) * (memory[6] + next_memory_6) + (memory[8] + next_memory_8);
+    const real_t next_memory_9 = TB_C(0.969069921993306) * memory[9] + t6 +
+        TB_C(0.015465039003346994) * t7;
+    const real_t t8 = TB_C(6186.015601338797) * (length[2] - memory[10]);
+    const real_t next_memory_11 = TB_C(0.969069921993306) * memory[11] + t8;
+    const real_t next_memory_12 = applied[2] - TB_C(0.005) * load[2];
+    const real_t t9 = TB_C(0.015465039003346994) * (next_memory_12 + memory[12]);
+    const real_t next_memory_13 = TB_C(0.969069921993306) * memory[13] + t9;
+    const real_t t10 = TB_C(6.495316381405736e-05) * (next_memory_11 - memory[11]);
+    const real_t t11 = TB_C(5e-05) * (memory[11] + next_memory_11) + (memory[13] +
+        next_memory_13);
+    const real_t next_memory_14 = TB_C(0.969069921993306) * memory[14] + t10 +
+        TB_C(0.015465039003346994) * t11;
+    const real_t t12 = TB_C(6186.015601338797) * (length[3] - memory[15]);
+    const real_t next_memory_16 = TB_C(0.969069921993306) * memory[16] + t12;
+    const real_t next_memory_17 = applied[3] - TB_C(0.005) * load[3];
+    const real_t t13 = TB_C(0.015465039003346994) * (next_memory_17 + memory[17]);
+    const real_t next_memory_18 = TB_C(0.969069921993306) * memory[18] + t13;
+    const real_t t14 = TB_C(6.495316381405736e-05) * (next_memory_16 - memory[16]);
+    const real_t t15 = TB_C(5e-05) * (memory[16] + next_memory_16) + (memory[18] +
+        next_memory_18);
+    const real_t next_memory_19 = TB_C(0.969069921993306) * memory[19] + t14 +
+        TB_C(0.015465039003346994) * t15;
+    next_memory[0] = length[0];
+    next_memory[1] = next_memory_1;
+    next_memory[2] = next_memory_2;
+    next_memory[3] = next_memory_3;
+    next_memory[4] = next_memory_4;
+    next_memory[5] = length[1];
+    next_memory[6] = next_memory_6;
+    next_memory[7] = next_memory_7;
+    next_memory[8] = next_memory_8;
+    next_memory[9] = next_memory_9;
+    next_memory[10] = length[2];
+    next_memory[11] = next_memory_11;
+    next_memory[12] = next_memory_12;
+    next_memory[13] = next_memory_13;
+    next_memory[14] = next_memory_14;
+    next_memory[15] = length[3];
+    next_memory[16] = next_memory_16;
+    next_memory[17] = next_memory_17;
+    next_memory[18] = next_memory_18;
+    next_memory[19] = next_memory_19;
+    disturbance[0] = next_memory_4;
+    disturbance[1] = next_memory_9;
+    disturbance[2] = next_memory_14;
+    disturbance[3] = next_memory_19;
+    return TB_OK;
+}
+

@@ -1,0 +1,514 @@
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+ * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#include "tb_kinematics.h"
+
+tb_status tb_base_points(const real_t rails[4], real_t points[8])
+{
+    if (!(rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        points[0] = TB_C(0.0);
+        points[1] = TB_C(0.0);
+        points[2] = TB_C(0.0);
+        points[3] = TB_C(0.0);
+        points[4] = TB_C(0.0);
+        points[5] = TB_C(0.0);
+        points[6] = TB_C(0.0);
+        points[7] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    points[0] = rails[0];
+    points[1] = TB_C(0.0);
+    points[2] = TB_C(0.7118);
+    points[3] = rails[1];
+    points[4] = rails[2];
+    points[5] = TB_C(0.4618);
+    points[6] = TB_C(0.0);
+    points[7] = rails[3];
+    return TB_OK;
+}
+
+tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[4], real_t vectors[8])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        vectors[0] = TB_C(0.0);
+        vectors[1] = TB_C(0.0);
+        vectors[2] = TB_C(0.0);
+        vectors[3] = TB_C(0.0);
+        vectors[4] = TB_C(0.0);
+        vectors[5] = TB_C(0.0);
+        vectors[6] = TB_C(0.0);
+        vectors[7] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t vectors_0 = rails[0] - pose[0];
+    const real_t vectors_1 = -pose[1];
+    const real_t vectors_2 = TB_C(0.7118) - pose[0];
+    const real_t vectors_3 = rails[1] - pose[1];
+    const real_t vectors_4 = rails[2] - pose[0];
+    const real_t vectors_5 = TB_C(0.4618) - pose[1];
+    const real_t vectors_6 = -pose[0];
+    const real_t vectors_7 = rails[3] - pose[1];
+    vectors[0] = vectors_0;
+    vectors[1] = vectors_1;
+    vectors[2] = vectors_2;
+    vectors[3] = vectors_3;
+    vectors[4] = vectors_4;
+    vectors[5] = vectors_5;
+    vectors[6] = vectors_6;
+    vectors[7] = vectors_7;
+    return TB_OK;
+}
+
+tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t length[4])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        length[0] = TB_C(0.0);
+        length[1] = TB_C(0.0);
+        length[2] = TB_C(0.0);
+        length[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t t1 = TB_C(0.7118) - pose[0];
+    const real_t t2 = rails[1] - pose[1];
+    const real_t length_1 = TB_SQRT(t1 * t1 + t2 * t2);
+    const real_t t3 = rails[2] - pose[0];
+    const real_t t4 = TB_C(0.4618) - pose[1];
+    const real_t length_2 = TB_SQRT(t3 * t3 + t4 * t4);
+    const real_t t5 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t5 * t5);
+    const bool t6 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t7 = t6 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    if (t7) {
+        length[0] = TB_C(0.0);
+        length[1] = TB_C(0.0);
+        length[2] = TB_C(0.0);
+        length[3] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    length[0] = length_0;
+    length[1] = length_1;
+    length[2] = length_2;
+    length[3] = length_3;
+    return TB_OK;
+}
+
+tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_t structure[8])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    /* l_i = |b_i - c|, Yoon eq. 18 */
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t t1 = TB_C(1.0) / length_0;
+    const real_t structure_0 = t0 * t1;
+    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t t3 = rails[1] - pose[1];
+    const real_t length_1 = TB_SQRT(t2 * t2 + t3 * t3);
+    const real_t t4 = TB_C(1.0) / length_1;
+    const real_t structure_1 = t2 * t4;
+    const real_t t5 = rails[2] - pose[0];
+    const real_t t6 = TB_C(0.4618) - pose[1];
+    const real_t length_2 = TB_SQRT(t5 * t5 + t6 * t6);
+    const real_t t7 = TB_C(1.0) / length_2;
+    const real_t structure_2 = t5 * t7;
+    const real_t t8 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t8 * t8);
+    const real_t t9 = TB_C(1.0) / length_3;
+    const real_t structure_3 = -(pose[0] * t9);
+    const real_t structure_4 = -(pose[1] * t1);
+    const real_t structure_5 = t3 * t4;
+    const real_t structure_6 = t6 * t7;
+    const real_t structure_7 = t8 * t9;
+    const bool t10 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t11 = t10 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    if (t11) {
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    structure[0] = structure_0;
+    structure[1] = structure_1;
+    structure[2] = structure_2;
+    structure[3] = structure_3;
+    structure[4] = structure_4;
+    structure[5] = structure_5;
+    structure[6] = structure_6;
+    structure[7] = structure_7;
+    return TB_OK;
+}
+
+tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[8])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        jacobian[0] = TB_C(0.0);
+        jacobian[1] = TB_C(0.0);
+        jacobian[2] = TB_C(0.0);
+        jacobian[3] = TB_C(0.0);
+        jacobian[4] = TB_C(0.0);
+        jacobian[5] = TB_C(0.0);
+        jacobian[6] = TB_C(0.0);
+        jacobian[7] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    /* l_i = |b_i - c|, Yoon eq. 18 */
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t t1 = TB_C(1.0) / length_0;
+    const real_t jacobian_0 = -(t0 * t1);
+    const real_t jacobian_1 = pose[1] * t1;
+    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t t3 = rails[1] - pose[1];
+    const real_t length_1 = TB_SQRT(t2 * t2 + t3 * t3);
+    const real_t t4 = TB_C(1.0) / length_1;
+    const real_t jacobian_2 = -(t2 * t4);
+    const real_t jacobian_3 = -(t3 * t4);
+    const real_t t5 = rails[2] - pose[0];
+    const real_t t6 = TB_C(0.4618) - pose[1];
+    const real_t length_2 = TB_SQRT(t5 * t5 + t6 * t6);
+    const real_t t7 = TB_C(1.0) / length_2;
+    const real_t jacobian_4 = -(t5 * t7);
+    const real_t jacobian_5 = -(t6 * t7);
+    const real_t t8 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t8 * t8);
+    const real_t t9 = TB_C(1.0) / length_3;
+    const real_t jacobian_6 = pose[0] * t9;
+    const real_t jacobian_7 = -(t8 * t9);
+    const bool t10 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t11 = t10 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    if (t11) {
+        jacobian[0] = TB_C(0.0);
+        jacobian[1] = TB_C(0.0);
+        jacobian[2] = TB_C(0.0);
+        jacobian[3] = TB_C(0.0);
+        jacobian[4] = TB_C(0.0);
+        jacobian[5] = TB_C(0.0);
+        jacobian[6] = TB_C(0.0);
+        jacobian[7] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    jacobian[0] = jacobian_0;
+    jacobian[1] = jacobian_1;
+    jacobian[2] = jacobian_2;
+    jacobian[3] = jacobian_3;
+    jacobian[4] = jacobian_4;
+    jacobian[5] = jacobian_5;
+    jacobian[6] = jacobian_6;
+    jacobian[7] = jacobian_7;
+    return TB_OK;
+}
+
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
+    length_rates[4], const real_t rail_rates[4], real_t velocity[2])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236)
+          && length_rates[0] >= -TB_C(100.0) && length_rates[0] <= TB_C(100.0)
+          && length_rates[1] >= -TB_C(100.0) && length_rates[1] <= TB_C(100.0)
+          && length_rates[2] >= -TB_C(100.0) && length_rates[2] <= TB_C(100.0)
+          && length_rates[3] >= -TB_C(100.0) && length_rates[3] <= TB_C(100.0)
+          && rail_rates[0] >= -TB_C(100.0) && rail_rates[0] <= TB_C(100.0)
+          && rail_rates[1] >= -TB_C(100.0) && rail_rates[1] <= TB_C(100.0)
+          && rail_rates[2] >= -TB_C(100.0) && rail_rates[2] <= TB_C(100.0)
+          && rail_rates[3] >= -TB_C(100.0) && rail_rates[3] <= TB_C(100.0))) {
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    /* l_i = |b_i - c|, Yoon eq. 18 */
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t t1 = TB_C(1.0) / length_0;
+    const real_t t2 = t0 * t1;
+    const real_t t3 = length_rates[0] - t2 * rail_rates[0];
+    const real_t t4 = TB_C(0.7118) - pose[0];
+    const real_t t5 = rails[1] - pose[1];
+    const real_t length_1 = TB_SQRT(t4 * t4 + t5 * t5);
+    const real_t t6 = TB_C(1.0) / length_1;
+    const real_t t7 = t4 * t6;
+    const real_t t8 = t5 * t6;
+    const real_t t9 = length_rates[1] - t8 * rail_rates[1];
+    const real_t t10 = rails[2] - pose[0];
+    const real_t t11 = TB_C(0.4618) - pose[1];
+    const real_t length_2 = TB_SQRT(t10 * t10 + t11 * t11);
+    const real_t t12 = TB_C(1.0) / length_2;
+    const real_t t13 = t10 * t12;
+    const real_t t14 = length_rates[2] - t13 * rail_rates[2];
+    const real_t t15 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t15 * t15);
+    const real_t t16 = TB_C(1.0) / length_3;
+    const real_t t17 = pose[0] * t16;
+    const real_t t18 = t15 * t16;
+    const real_t t19 = length_rates[3] - t18 * rail_rates[3];
+    const real_t t20 = t2 * t3 + t7 * t9 + t13 * t14 - t17 * t19;
+    const real_t t21 = t2 * t2 + t7 * t7 + t13 * t13 + t17 * t17;
+    const real_t t22 = TB_C(1.0) / t21;
+    const real_t t23 = pose[1] * t1;
+    const real_t t24 = t11 * t12;
+    const real_t t25 = t22 * (t7 * t8 - t2 * t23 + t13 * t24 - t17 * t18);
+    const real_t t26 = t20 * t25 - (t8 * t9 - t3 * t23 + t14 * t24 + t18 * t19);
+    const real_t t27 = t23 * t23 + t8 * t8 + t24 * t24 + t18 * t18 - t21 * (t25 * t25);
+    const real_t velocity_1 = t26 / t27;
+    const real_t velocity_0 = -(t20 * t22 + t25 * velocity_1);
+    const bool t28 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t29 = t28 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    const bool t30 = tb_min(t21, t27) < TB_C(1e-06);
+    if (t29) {
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t30) {
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    velocity[0] = velocity_0;
+    velocity[1] = velocity_1;
+    return TB_OK;
+}
+
+tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
+    real_t residual[1])
+{
+    if (!(lengths[0] >= TB_C(0.0) && lengths[0] <= TB_C(4.6944)
+          && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(4.6944)
+          && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(4.6944)
+          && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(4.6944)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = (rails[0] + TB_C(0.7118) + rails[2]) * TB_C(0.25);
+    const real_t t1 = rails[0] - t0;
+    const real_t t2 = t1 * t1;
+    const real_t t3 = TB_C(0.25) * (rails[1] + TB_C(0.4618) + rails[3]);
+    const real_t t4 = t3 * t3;
+    const real_t t5 = t2 + t4 - lengths[0] * lengths[0];
+    const real_t t6 = TB_C(0.7118) - t0;
+    const real_t t7 = t6 * t6;
+    const real_t t8 = rails[1] - t3;
+    const real_t t9 = t8 * t8;
+    const real_t t10 = t7 + t9 - lengths[1] * lengths[1];
+    const real_t t11 = rails[2] - t0;
+    const real_t t12 = t11 * t11;
+    const real_t t13 = TB_C(0.4618) - t3;
+    const real_t t14 = t13 * t13;
+    const real_t t15 = t12 + t14 - lengths[2] * lengths[2];
+    const real_t t16 = t0 * t0;
+    const real_t t17 = rails[3] - t3;
+    const real_t t18 = t17 * t17;
+    const real_t t19 = t16 + t18 - lengths[3] * lengths[3];
+    const real_t t20 = TB_C(0.25) * (t5 + t10 + t15 + t19);
+    const real_t t21 = t5 - t20;
+    const real_t t22 = t10 - t20;
+    const real_t t23 = t15 - t20;
+    const real_t t24 = t19 - t20;
+    const real_t t25 = (t1 * t21 + t6 * t22 + t11 * t23 - t0 * t24) * TB_C(0.5);
+    const real_t t26 = t16 + (t12 + (t2 + t7));
+    const real_t t27 = TB_C(1.0) / t26;
+    const real_t t28 = t27 * (t6 * t8 - t1 * t3 + t11 * t13 - t0 * t17);
+    const real_t t29 = TB_C(0.5) * (t8 * t22 - t3 * t21 + t13 * t23 + t17 * t24);
+    const real_t t30 = t18 + (t14 + (t4 + t9)) - t26 * (t28 * t28);
+    const real_t t31 = (t29 - t25 * t28) / t30;
+    /* differences of squared lengths are linear in the pose */
+    const real_t start_0 = t0 + (t25 * t27 - t28 * t31);
+    const real_t t32 = rails[0] - start_0;
+    const real_t start_1 = t3 + t31;
+    /* one Gauss-Newton step */
+    const real_t distance_0 = TB_SQRT(t32 * t32 + start_1 * start_1);
+    const real_t t33 = TB_C(1.0) / distance_0;
+    const real_t t34 = t32 * t33;
+    const real_t t35 = distance_0 - lengths[0];
+    const real_t t36 = TB_C(0.7118) - start_0;
+    const real_t t37 = rails[1] - start_1;
+    const real_t distance_1 = TB_SQRT(t36 * t36 + t37 * t37);
+    const real_t t38 = TB_C(1.0) / distance_1;
+    const real_t t39 = t36 * t38;
+    const real_t t40 = distance_1 - lengths[1];
+    const real_t t41 = rails[2] - start_0;
+    const real_t t42 = TB_C(0.4618) - start_1;
+    const real_t distance_2 = TB_SQRT(t41 * t41 + t42 * t42);
+    const real_t t43 = TB_C(1.0) / distance_2;
+    const real_t t44 = t41 * t43;
+    const real_t t45 = distance_2 - lengths[2];
+    const real_t t46 = rails[3] - start_1;
+    const real_t distance_3 = TB_SQRT(start_0 * start_0 + t46 * t46);
+    const real_t t47 = TB_C(1.0) / distance_3;
+    const real_t t48 = start_0 * t47;
+    const real_t t49 = distance_3 - lengths[3];
+    const real_t t50 = t34 * t35 + t39 * t40 + t44 * t45 - t48 * t49;
+    const real_t t51 = t34 * t34 + t39 * t39 + t44 * t44 + t48 * t48;
+    const real_t t52 = TB_C(1.0) / t51;
+    const real_t t53 = t37 * t38;
+    const real_t t54 = start_1 * t33;
+    const real_t t55 = t42 * t43;
+    const real_t t56 = t46 * t47;
+    const real_t t57 = t52 * (t39 * t53 - t34 * t54 + t44 * t55 - t48 * t56);
+    const real_t t58 = t40 * t53 - t35 * t54 + t45 * t55 + t49 * t56 - t50 * t57;
+    const real_t t59 = t54 * t54 + t53 * t53 + t55 * t55 + t56 * t56 - t51 * (t57 * t57);
+    const real_t t60 = t58 / t59;
+    const real_t pose_0 = start_0 + (t50 * t52 - t57 * t60);
+    const real_t pose_1 = start_1 + t60;
+    const real_t t61 = rails[0] - pose_0;
+    /* what the lengths disagree by: slack or an encoder fault */
+    const real_t misfit_0 = lengths[0] - TB_SQRT(t61 * t61 + pose_1 * pose_1);
+    const real_t t62 = TB_C(0.7118) - pose_0;
+    const real_t t63 = rails[1] - pose_1;
+    const real_t misfit_1 = lengths[1] - TB_SQRT(t62 * t62 + t63 * t63);
+    const real_t t64 = rails[2] - pose_0;
+    const real_t t65 = TB_C(0.4618) - pose_1;
+    const real_t misfit_2 = lengths[2] - TB_SQRT(t64 * t64 + t65 * t65);
+    const real_t t66 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t67 = rails[3] - pose_1;
+    const real_t misfit_3 = lengths[3] - TB_SQRT(pose_0 * pose_0 + t67 * t67);
+    const real_t residual_0 = TB_SQRT(t66 + misfit_3 * misfit_3);
+    const bool t68 = tb_min(t26, t30) < TB_C(5.066592400000001e-09);
+    const real_t t69 = tb_min(tb_min(distance_0, distance_1), distance_2);
+    const bool t70 = tb_min(t69, distance_3) < TB_C(0.0001);
+    if (t68) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t70) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    pose[0] = pose_0;
+    pose[1] = pose_1;
+    residual[0] = residual_0;
+    return TB_OK;
+}
+
+tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[16])
+{
+    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
+          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
+          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
+          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
+          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+        jacobian[0] = TB_C(0.0);
+        jacobian[1] = TB_C(0.0);
+        jacobian[2] = TB_C(0.0);
+        jacobian[3] = TB_C(0.0);
+        jacobian[4] = TB_C(0.0);
+        jacobian[5] = TB_C(0.0);
+        jacobian[6] = TB_C(0.0);
+        jacobian[7] = TB_C(0.0);
+        jacobian[8] = TB_C(0.0);
+        jacobian[9] = TB_C(0.0);
+        jacobian[10] = TB_C(0.0);
+        jacobian[11] = TB_C(0.0);
+        jacobian[12] = TB_C(0.0);
+        jacobian[13] = TB_C(0.0);
+        jacobian[14] = TB_C(0.0);
+        jacobian[15] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    /* l_i = |b_i - c|, Yoon eq. 18 */
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t jacobian_0 = t0 / length_0;
+    const real_t t1 = rails[1] - pose[1];
+    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t length_1 = TB_SQRT(t2 * t2 + t1 * t1);
+    const real_t jacobian_5 = t1 / length_1;
+    const real_t t3 = rails[2] - pose[0];
+    const real_t t4 = TB_C(0.4618) - pose[1];
+    const real_t length_2 = TB_SQRT(t3 * t3 + t4 * t4);
+    const real_t jacobian_10 = t3 / length_2;
+    const real_t t5 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t5 * t5);
+    const real_t jacobian_15 = t5 / length_3;
+    const bool t6 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t7 = t6 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    if (t7) {
+        jacobian[0] = TB_C(0.0);
+        jacobian[1] = TB_C(0.0);
+        jacobian[2] = TB_C(0.0);
+        jacobian[3] = TB_C(0.0);
+        jacobian[4] = TB_C(0.0);
+        jacobian[5] = TB_C(0.0);
+        jacobian[6] = TB_C(0.0);
+        jacobian[7] = TB_C(0.0);
+        jacobian[8] = TB_C(0.0);
+        jacobian[9] = TB_C(0.0);
+        jacobian[10] = TB_C(0.0);
+        jacobian[11] = TB_C(0.0);
+        jacobian[12] = TB_C(0.0);
+        jacobian[13] = TB_C(0.0);
+        jacobian[14] = TB_C(0.0);
+        jacobian[15] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    jacobian[0] = jacobian_0;
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = jacobian_5;
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = jacobian_10;
+    jacobian[11] = TB_C(0.0);
+    jacobian[12] = TB_C(0.0);
+    jacobian[13] = TB_C(0.0);
+    jacobian[14] = TB_C(0.0);
+    jacobian[15] = jacobian_15;
+    return TB_OK;
+}
+

@@ -1,0 +1,1 @@
+"""The model of a machine, written once and symbolically; one file per topic."""

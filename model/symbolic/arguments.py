@@ -1,0 +1,65 @@
+"""The arguments that the functions of the model share, with the bounds inside which they are taken.
+
+The bounds are wide: they exist so that no arithmetic overflows in single precision and a NaN is
+refused, not to say what is sensible for the machine.
+"""
+
+from model.machine import Machine, RailBase
+from model.symbolic.function import Input, make_input
+
+#: Commands and measurements may exceed the machine's own limits by this factor.
+HEADROOM = 1000.0
+#: Fastest motion that is taken for a measurement, m/s.
+FASTEST = 100.0
+
+
+def pose(machine: Machine) -> Input:
+    """Position of the platform: the frame and its own size around it."""
+    size = machine.frame.size
+    return make_input("pose", (machine.dof,), "m", [-x for x in size], [2 * x for x in size])
+
+
+def rails(machine: Machine, name: str = "rails") -> Input:
+    """Rail coordinates s_i, up to one rail length past either end."""
+    lengths = rail_lengths(machine)
+    return make_input(name, (len(lengths),), "m", [-x for x in lengths], [2 * x for x in lengths])
+
+
+def rail_lengths(machine: Machine) -> list[float]:
+    """Length of every rail [m]."""
+    bases = [machine.cables[i].base for i in machine.rail_cables]
+    return [base.length for base in bases if isinstance(base, RailBase)]
+
+
+def lengths(machine: Machine, name: str = "lengths") -> Input:
+    """Cable lengths l_i."""
+    longest = 4 * sum(machine.frame.size)
+    return make_input(name, (len(machine.cables),), "m", [0.0], [longest])
+
+
+def speeds(machine: Machine, name: str, count: int) -> Input:
+    """Speeds of cables, rails or the platform."""
+    return make_input(name, (count,), "m/s", [-FASTEST], [FASTEST])
+
+
+def structure(machine: Machine) -> Input:
+    """Structure matrix S (Yoon eq. 7): unit columns for a point platform."""
+    return make_input("structure", (machine.dof, len(machine.cables)), "1", [-4.0], [4.0])
+
+
+def tension(machine: Machine, name: str = "tension") -> Input:
+    """Cable tensions T_i."""
+    bound = HEADROOM * machine.tension.max
+    return make_input(name, (len(machine.cables),), "N", [-bound], [bound])
+
+
+def wrench(machine: Machine, name: str = "wrench") -> Input:
+    """Wrench on the platform."""
+    bound = HEADROOM * machine.tension.max * len(machine.cables)
+    return make_input(name, (machine.dof,), "N", [-bound], [bound])
+
+
+def torque(machine: Machine, name: str) -> Input:
+    """Motor torques."""
+    bound = HEADROOM * machine.tension.max * machine.drum.radius
+    return make_input(name, (len(machine.cables),), "N m", [-bound], [bound])

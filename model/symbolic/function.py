@@ -1,0 +1,134 @@
+"""What a function of the model is: named inputs and outputs with shapes and units, and its faults."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+import casadi as ca
+
+from model.symbolic.scalar import Matrix, Scalar, Vector
+
+
+class Status(IntEnum):
+    """What a generated function answers; the same numbers as `tb_status` in C."""
+
+    OK = 0
+    INFEASIBLE = 1
+    SINGULAR = 2
+    OUT_OF_DOMAIN = 3
+    INACCURATE = 4
+
+
+#: Unit roundoff spacing of real_t; becomes TB_EPSILON in C.
+EPSILON = ca.SX.sym("TB_EPSILON")
+
+
+@dataclass(frozen=True)
+class Input:
+    """An argument: `shape` entries in `unit`, each within [low, high] or the function refuses it."""
+
+    name: str
+    shape: tuple[int, ...]
+    unit: str
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    symbols: ca.SX = field(repr=False)
+
+    @property
+    def size(self) -> int:
+        """Number of entries."""
+        return len(self.low)
+
+    def scalars(self) -> Vector:
+        """The entries, row by row."""
+        return [self.symbols[i] for i in range(self.size)]
+
+    def rows(self) -> Matrix:
+        """The entries of a matrix argument as a list of rows."""
+        entries, columns = self.scalars(), self.shape[1]
+        return [entries[i : i + columns] for i in range(0, self.size, columns)]
+
+
+@dataclass(frozen=True)
+class Output:
+    """A result: `shape` entries in `unit`; `fallback` stands in for it when the status is a fault."""
+
+    name: str
+    shape: tuple[int, ...]
+    unit: str
+    values: Vector = field(repr=False)
+    fallback: float = 0.0
+
+    @property
+    def size(self) -> int:
+        """Number of entries."""
+        return len(self.values)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """`status` is answered where `condition` holds; a fault also replaces the outputs."""
+
+    condition: Scalar = field(repr=False)
+    status: Status
+    meaning: str
+
+    @property
+    def is_fault(self) -> bool:
+        """Whether the outputs must not be used."""
+        return self.status is not Status.INFEASIBLE
+
+
+@dataclass(frozen=True)
+class Label:
+    """A name and a source for an intermediate result, so that the C can be read."""
+
+    name: str
+    values: Vector = field(repr=False)
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class ModelFunction:
+    """One function of the model: what it computes, from where in the papers, and when it refuses."""
+
+    name: str
+    summary: str
+    source: str
+    inputs: tuple[Input, ...]
+    outputs: tuple[Output, ...]
+    verdicts: tuple[Verdict, ...] = ()
+    labels: tuple[Label, ...] = ()
+
+    @property
+    def can_be_inaccurate(self) -> bool:
+        """Whether the function checks its own result."""
+        return any(verdict.status is Status.INACCURATE for verdict in self.verdicts)
+
+
+def make_input(
+    name: str, shape: tuple[int, ...], unit: str, low: Sequence[float], high: Sequence[float]
+) -> Input:
+    """An argument with one pair of bounds per entry, or one pair for all."""
+    size = 1
+    for extent in shape:
+        size *= extent
+    lows = tuple(low) * size if len(low) == 1 else tuple(low)
+    highs = tuple(high) * size if len(high) == 1 else tuple(high)
+    return Input(name, shape, unit, lows[:size], highs[:size], ca.SX.sym(name, size))
+
+
+def vector_output(name: str, unit: str, values: Vector, fallback: float = 0.0) -> Output:
+    """A result that is a plain vector."""
+    return Output(name, (len(values),), unit, values, fallback)
+
+
+def scalar_output(name: str, unit: str, value: Scalar) -> Output:
+    """A result that is one number."""
+    return Output(name, (), unit, [value])
+
+
+def matrix_output(name: str, unit: str, rows: Matrix) -> Output:
+    """A result that is a matrix, stored row by row."""
+    columns = len(rows[0]) if rows else 0
+    return Output(name, (len(rows), columns), unit, [entry for row in rows for entry in row])

@@ -1,0 +1,282 @@
+"""Where the cables are and how they move: Yoon section II-A and III-D."""
+
+import casadi as ca
+
+from model.machine import Cable, FixedBase, Machine
+from model.symbolic import arguments
+from model.symbolic.function import (
+    Label,
+    ModelFunction,
+    Status,
+    Verdict,
+    matrix_output,
+    scalar_output,
+    vector_output,
+)
+from model.symbolic.linear import (
+    add_scaled,
+    dot,
+    gram,
+    multiply,
+    norm,
+    solve_positive,
+    subtract,
+    transpose,
+)
+from model.symbolic.scalar import Matrix, Scalar, Vector, any_of, smallest, total
+
+#: A platform nearer than this to a pulley touches it [m]: the direction of the cable is lost.
+CONTACT_DISTANCE = 1e-4
+#: Directions count as spanning the plane when the smallest pivot of S S' exceeds this.
+SMALLEST_PIVOT = 1e-6
+
+
+def base_points(machine: Machine, rails: Vector) -> Matrix:
+    """Pulley points b_i [m], one row a cable: fixed, or `from` + s_i along the rail."""
+    coordinate = dict(zip(machine.rail_cables, rails, strict=True))
+    return [
+        base_point(cable, coordinate.get(number)) for number, cable in enumerate(machine.cables)
+    ]
+
+
+def base_point(cable: Cable, coordinate: Scalar) -> Vector:
+    """Pulley point of one cable [m]."""
+    base = cable.base
+    if isinstance(base, FixedBase):
+        return list(base.position)
+    return [
+        start + slope * coordinate if slope else start
+        for start, slope in zip(base.start, base.direction, strict=True)
+    ]
+
+
+def cable_vectors(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
+    """Cable vectors l_i = b_i - c [m], one row a cable (Yoon eq. 1 with p_i = 0)."""
+    return [subtract(point, pose) for point in base_points(machine, rails)]
+
+
+def cable_lengths(machine: Machine, pose: Vector, rails: Vector) -> Vector:
+    """Cable lengths l_i = |b_i - c| [m] (Yoon eq. 18)."""
+    return [norm(vector) for vector in cable_vectors(machine, pose, rails)]
+
+
+def directions(vectors: Matrix, lengths: Vector) -> Matrix:
+    """Unit vectors from the platform to the pulleys, one row a cable."""
+    return [
+        [entry / length for entry in vector]
+        for vector, length in zip(vectors, lengths, strict=True)
+    ]
+
+
+def structure_matrix(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
+    """Structure matrix S, d x n: column i is the unit vector along cable i (Yoon eq. 7, 21)."""
+    vectors = cable_vectors(machine, pose, rails)
+    return transpose(directions(vectors, [norm(vector) for vector in vectors]))
+
+
+def jacobian(values: Vector, symbols: ca.SX) -> Matrix:
+    """Derivative of every value by every symbol, by CasADi's automatic differentiation."""
+    derivative = ca.jacobian(ca.vertcat(*values), symbols)
+    return [[derivative[i, j] for j in range(symbols.numel())] for i in range(len(values))]
+
+
+def touches_a_pulley(lengths: Vector) -> Verdict:
+    """The platform is so near a pulley that the cable has no direction."""
+    return Verdict(
+        any_of([length < CONTACT_DISTANCE for length in lengths]),
+        Status.SINGULAR,
+        f"the platform is nearer than {CONTACT_DISTANCE * 1e3:g} mm to a pulley",
+    )
+
+
+def loses_rank(pivot: Scalar) -> Verdict:
+    """All cables pull along (nearly) one line."""
+    return Verdict(pivot < SMALLEST_PIVOT, Status.SINGULAR, "the cables are parallel")
+
+
+def base_points_function(machine: Machine) -> ModelFunction:
+    """Pulley points as a function of the rail coordinates."""
+    rails = arguments.rails(machine)
+    points = base_points(machine, rails.scalars())
+    return ModelFunction(
+        "base_points",
+        "Pulley points b_i",
+        "Yoon Fig. 9",
+        (rails,),
+        (matrix_output("points", "m", points),),
+    )
+
+
+def cable_vectors_function(machine: Machine) -> ModelFunction:
+    """Cable vectors as a function of pose and rail coordinates."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
+    return ModelFunction(
+        "cable_vectors",
+        "Cable vectors l_i = b_i - c, from the platform to the pulley",
+        "Yoon eq. 1",
+        (pose, rails),
+        (matrix_output("vectors", "m", vectors),),
+    )
+
+
+def cable_lengths_function(machine: Machine) -> ModelFunction:
+    """Cable lengths as a function of pose and rail coordinates."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    lengths = cable_lengths(machine, pose.scalars(), rails.scalars())
+    return ModelFunction(
+        "cable_lengths",
+        "Cable lengths l_i = |b_i - c|",
+        "Yoon eq. 18",
+        (pose, rails),
+        (vector_output("length", "m", lengths),),
+        (touches_a_pulley(lengths),),
+    )
+
+
+def structure_matrix_function(machine: Machine) -> ModelFunction:
+    """Structure matrix as a function of pose and rail coordinates."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
+    lengths = [norm(vector) for vector in vectors]
+    return ModelFunction(
+        "structure_matrix",
+        "Structure matrix S: column i is the unit vector along cable i, S T = W",
+        "Yoon eq. 7, 21",
+        (pose, rails),
+        (matrix_output("structure", "1", transpose(directions(vectors, lengths))),),
+        (touches_a_pulley(lengths),),
+        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+    )
+
+
+def length_jacobian_function(machine: Machine) -> ModelFunction:
+    """Derivative of the lengths by the pose."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    lengths = cable_lengths(machine, pose.scalars(), rails.scalars())
+    return ModelFunction(
+        "length_jacobian",
+        "Length Jacobian dl/dx = -S'",
+        "Yoon eq. 3, 20",
+        (pose, rails),
+        (matrix_output("jacobian", "1", jacobian(lengths, pose.symbols)),),
+        (touches_a_pulley(lengths),),
+        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+    )
+
+
+def rail_jacobian_function(machine: Machine) -> ModelFunction:
+    """Derivative of the lengths by the rail coordinates."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    lengths = cable_lengths(machine, pose.scalars(), rails.scalars())
+    return ModelFunction(
+        "rail_jacobian",
+        "Rail Jacobian dl/ds",
+        "Yoon eq. 3, 20",
+        (pose, rails),
+        (matrix_output("jacobian", "1", jacobian(lengths, rails.symbols)),),
+        (touches_a_pulley(lengths),),
+        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+    )
+
+
+def rail_slopes(machine: Machine, rays: Matrix) -> Matrix:
+    """lhat_i . e_i for every cable on a rail: the only entry of its column of dl/ds."""
+    slopes: Matrix = []
+    for number in machine.rail_cables:
+        base = machine.cables[number].base
+        assert not isinstance(base, FixedBase)
+        slopes.append([number, dot(rays[number], list(base.direction))])
+    return slopes
+
+
+def task_velocity_function(machine: Machine) -> ModelFunction:
+    """Platform velocity from the speeds of cables and rails."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    length_rates = arguments.speeds(machine, "length_rates", len(machine.cables))
+    rail_rates = arguments.speeds(machine, "rail_rates", len(machine.rail_cables))
+    vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
+    lengths = [norm(vector) for vector in vectors]
+    rays = directions(vectors, lengths)
+    closing = length_rates.scalars()
+    for rate, (number, slope) in zip(rail_rates.scalars(), rail_slopes(machine, rays), strict=True):
+        closing[number] = closing[number] - slope * rate
+    columns = transpose(rays)
+    velocity, pivot = solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
+    return ModelFunction(
+        "task_velocity",
+        "Platform velocity: least squares over the unit rows of dl/dx xdot = ldot - dl/ds sdot",
+        "Yoon eq. 6, 20 with normalised rows",
+        (pose, rails, length_rates, rail_rates),
+        (vector_output("velocity", "m/s", velocity),),
+        (touches_a_pulley(lengths), loses_rank(pivot)),
+        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+    )
+
+
+def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Scalar]:
+    """Position from distances, closed form; returns (position [m], smallest pivot [m^2]).
+
+    |b_i|^2 - 2 b_i.c + |c|^2 = l_i^2 minus its mean over the cables is linear in c, for any bases.
+    """
+    count, dimension = len(points), len(points[0])
+    centre = [total([point[k] for point in points]) / count for k in range(dimension)]
+    arms = [subtract(point, centre) for point in points]
+    squares = [dot(arm, arm) - length * length for arm, length in zip(arms, lengths, strict=True)]
+    mean = total(squares) / count
+    columns = transpose(arms)
+    right = [x / 2 for x in multiply(columns, [square - mean for square in squares])]
+    offset, pivot = solve_positive(gram(columns), right)
+    return [a + b for a, b in zip(centre, offset, strict=True)], pivot
+
+
+def gauss_newton_step(points: Matrix, lengths: Vector, pose: Vector) -> tuple[Vector, Vector]:
+    """One step on sum (l_i - |b_i - c|)^2 from `pose`; returns (new pose [m], distances there)."""
+    vectors = [subtract(point, pose) for point in points]
+    distances = [norm(vector) for vector in vectors]
+    columns = transpose(directions(vectors, distances))
+    step, _ = solve_positive(gram(columns), multiply(columns, subtract(distances, lengths)))
+    return add_scaled(pose, 1, step), distances
+
+
+def forward_kinematics_function(machine: Machine) -> ModelFunction:
+    """Pose from cable lengths and rail coordinates."""
+    lengths, rails = arguments.lengths(machine), arguments.rails(machine)
+    points = base_points(machine, rails.scalars())
+    start, spread = multilateration(points, lengths.scalars())
+    pose, distances = gauss_newton_step(points, lengths.scalars(), start)
+    misfit = subtract(lengths.scalars(), [norm(subtract(point, pose)) for point in points])
+    smallest_spread = (1e-4 * max(machine.frame.size)) ** 2
+    collinear = Verdict(spread < smallest_spread, Status.SINGULAR, "the bases lie on one line")
+    at_pulley = Verdict(
+        smallest(distances) < CONTACT_DISTANCE, Status.SINGULAR, "the platform is at a pulley"
+    )
+    return ModelFunction(
+        "forward_kinematics",
+        "Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit",
+        "Yoon eq. 19",
+        (lengths, rails),
+        (vector_output("pose", "m", pose), scalar_output("residual", "m", norm(misfit))),
+        (collinear, at_pulley),
+        (
+            Label("start", start, "differences of squared lengths are linear in the pose"),
+            Label("distance", distances, "one Gauss-Newton step"),
+            Label("misfit", misfit, "what the lengths disagree by: slack or an encoder fault"),
+        ),
+    )
+
+
+def functions(machine: Machine) -> list[ModelFunction]:
+    """Everything this topic generates."""
+    result = [
+        base_points_function(machine),
+        cable_vectors_function(machine),
+        cable_lengths_function(machine),
+        structure_matrix_function(machine),
+        length_jacobian_function(machine),
+        task_velocity_function(machine),
+        forward_kinematics_function(machine),
+    ]
+    if machine.rail_cables:
+        result.append(rail_jacobian_function(machine))
+    return result

@@ -1,0 +1,147 @@
+"""Small dense linear algebra on lists of scalars, unrolled for the sizes of a machine."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt, total, where
+
+
+def dot(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
+    """Scalar product."""
+    return total([x * y for x, y in zip(a, b, strict=True)])
+
+
+def norm(vector: Sequence[Scalar]) -> Scalar:
+    """Euclidean length."""
+    return sqrt(dot(vector, vector))
+
+
+def cross(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
+    """z component of the vector product of two planar vectors."""
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def subtract(a: Sequence[Scalar], b: Sequence[Scalar]) -> Vector:
+    """a - b."""
+    return [x - y for x, y in zip(a, b, strict=True)]
+
+
+def add_scaled(a: Sequence[Scalar], factor: Scalar, b: Sequence[Scalar]) -> Vector:
+    """a + factor b."""
+    return [x + factor * y for x, y in zip(a, b, strict=True)]
+
+
+def multiply(matrix: Matrix, vector: Sequence[Scalar]) -> Vector:
+    """Matrix times vector."""
+    return [dot(row, vector) for row in matrix]
+
+
+def transpose(matrix: Matrix) -> Matrix:
+    """Rows become columns."""
+    return [list(column) for column in zip(*matrix, strict=True)]
+
+
+def gram(matrix: Matrix) -> Matrix:
+    """matrix times its transpose."""
+    return [[dot(a, b) for b in matrix] for a in matrix]
+
+
+def solve_positive(matrix: Matrix, right: Sequence[Scalar]) -> tuple[Vector, Scalar]:
+    """Solve a symmetric positive definite system by L D L'; returns (solution, smallest pivot)."""
+    size = len(right)
+    lower = [[None] * size for _ in range(size)]
+    pivots: Vector = []
+    for j in range(size):
+        pivot = matrix[j][j]
+        for k in range(j):
+            pivot = pivot - lower[j][k] * lower[j][k] * pivots[k]
+        pivots.append(pivot)
+        for i in range(j + 1, size):
+            entry = matrix[i][j]
+            for k in range(j):
+                entry = entry - lower[i][k] * lower[j][k] * pivots[k]
+            lower[i][j] = entry / pivot
+    solution = list(right)
+    for i in range(size):
+        for k in range(i):
+            solution[i] = solution[i] - lower[i][k] * solution[k]
+    solution = [value / pivot for value, pivot in zip(solution, pivots, strict=True)]
+    for i in reversed(range(size)):
+        for k in range(i + 1, size):
+            solution[i] = solution[i] - lower[k][i] * solution[k]
+    smallest_pivot = pivots[0]
+    for pivot in pivots[1:]:
+        smallest_pivot = ca.fmin(smallest_pivot, pivot)
+    return solution, smallest_pivot
+
+
+@dataclass(frozen=True)
+class Factorisation:
+    """Householder QR of the transpose of a d x n matrix S with d <= n.
+
+    `reflectors` are pairs (vector, 2 / |vector|^2); `triangle` is R (d x d, upper).
+    """
+
+    size: int
+    reflectors: list[tuple[Vector, Scalar]]
+    triangle: Matrix
+
+    def apply(self, vector: Vector) -> Vector:
+        """Q times a vector of n entries; structural zeros cost nothing."""
+        for offset in reversed(range(len(self.reflectors))):
+            direction, factor = self.reflectors[offset]
+            tail = vector[offset:]
+            projection = factor * dot(direction, tail)
+            vector = vector[:offset] + add_scaled(tail, -projection, direction)
+        return vector
+
+    def null_space(self) -> Matrix:
+        """Orthonormal basis of the null space of S, one basis vector a column (n x (n - d))."""
+        rank = len(self.reflectors)
+        columns = []
+        for k in range(rank, self.size):
+            unit = [ca.SX(0)] * self.size
+            unit[k] = ca.SX(1)
+            columns.append(self.apply(unit))
+        return transpose(columns)
+
+    def least_norm(self, right: Sequence[Scalar]) -> Vector:
+        """The vector T of least norm with S T = right."""
+        rank = len(self.reflectors)
+        forward: Vector = []
+        for i in range(rank):
+            value = right[i]
+            for k in range(i):
+                value = value - self.triangle[k][i] * forward[k]
+            forward.append(value / self.triangle[i][i])
+        return self.apply(forward + [ca.SX(0)] * (self.size - rank))
+
+    def smallest_pivot(self) -> Scalar:
+        """Least magnitude on the diagonal of R: zero where S loses rank."""
+        pivot = ca.fabs(self.triangle[0][0])
+        for i in range(1, len(self.reflectors)):
+            pivot = ca.fmin(pivot, ca.fabs(self.triangle[i][i]))
+        return pivot
+
+
+def factorise(matrix: Matrix) -> Factorisation:
+    """Householder QR of the transpose of `matrix` (d x n, d <= n)."""
+    columns = [list(row) for row in matrix]
+    rank, size = len(columns), len(columns[0])
+    reflectors: list[tuple[Vector, Scalar]] = []
+    triangle: Matrix = [[ca.SX(0)] * rank for _ in range(rank)]
+    for k in range(rank):
+        tail = columns[k][k:]
+        length = norm(tail)
+        diagonal = where(tail[0] >= 0, -length, length)
+        direction = [tail[0] - diagonal, *tail[1:]]
+        factor = 1 / (length * (length + ca.fabs(tail[0])))
+        reflectors.append((direction, factor))
+        triangle[k][k] = diagonal
+        for j in range(k + 1, rank):
+            projection = factor * dot(direction, columns[j][k:])
+            columns[j][k:] = add_scaled(columns[j][k:], -projection, direction)
+            triangle[k][j] = columns[j][k]
+    return Factorisation(size, reflectors, triangle)

@@ -1,0 +1,179 @@
+"""How good a pose is: tension factor and isotropic force, Yoon section III-A and III-B."""
+
+import casadi as ca
+
+from model.machine import Machine
+from model.symbolic import arguments, kinematics
+from model.symbolic.function import (
+    Input,
+    Label,
+    ModelFunction,
+    Status,
+    Verdict,
+    scalar_output,
+    vector_output,
+)
+from model.symbolic.linear import dot, factorise, norm, transpose
+from model.symbolic.scalar import (
+    Matrix,
+    Scalar,
+    Vector,
+    any_of,
+    largest,
+    smallest,
+    where,
+)
+from model.symbolic.tension import Solution, inaccurate, least_norm_tension, rank_lost
+from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
+
+
+class Rig:
+    """The machine at a symbolic pose: its directions, wrench set and zero-wrench tensions."""
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        self.pose, self.rails = arguments.pose(machine), arguments.rails(machine)
+        vectors = kinematics.cable_vectors(machine, self.pose.scalars(), self.rails.scalars())
+        self.lengths = [norm(vector) for vector in vectors]
+        self.rays: Matrix = kinematics.directions(vectors, self.lengths)
+        self.bounds = machine.tension.min, machine.tension.max
+        self.wrench_set: WrenchSet = wrench_set(self.rays, *self.bounds)
+        self.factors = factorise(transpose(self.rays))
+
+    @property
+    def inputs(self) -> tuple[Input, ...]:
+        """Pose and rail coordinates."""
+        return self.pose, self.rails
+
+    def at_rest(self) -> Solution:
+        """T0, the least-norm tensions that hold the platform without any force on it."""
+        zero = [ca.SX(0)] * self.machine.dof
+        return least_norm_tension(transpose(self.rays), self.factors, zero, *self.bounds)
+
+    def touching(self) -> Verdict:
+        """The platform is at a pulley."""
+        return kinematics.touches_a_pulley(self.lengths)
+
+    def outside(self) -> Verdict:
+        """The pose is outside the zero-wrench workspace."""
+        return Verdict(
+            ca.logic_not(self.wrench_set.contains_zero()),
+            Status.INFEASIBLE,
+            "the pose is outside the wrench-feasible workspace for zero wrench",
+        )
+
+    def label(self) -> Label:
+        """The lengths, named in the C."""
+        return Label("length", self.lengths, "l_i = |b_i - c|, Yoon eq. 18")
+
+
+def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
+    """Least-norm tensions under zero wrench."""
+    rig = Rig(machine)
+    rest, outside = rig.at_rest(), rig.outside()
+    tension = [where(outside.condition, machine.tension.min, value) for value in rest.tension]
+    checked = Verdict(
+        ca.logic_and(
+            ca.logic_not(outside.condition),
+            inaccurate(machine, rest, ca.SX(machine.tension.max)).condition,
+        ),
+        Status.INACCURATE,
+        "the optimality conditions are missed by more than rounding",
+    )
+    return ModelFunction(
+        "zero_wrench_tension",
+        "Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace",
+        "Yoon eq. 12 with W = 0",
+        rig.inputs,
+        (vector_output("tension", "N", tension, fallback=machine.tension.min),),
+        (rig.touching(), rank_lost(rig.factors), checked, outside),
+        (rig.label(),),
+    )
+
+
+def tension_factor_function(machine: Machine) -> ModelFunction:
+    """Least over largest zero-wrench tension."""
+    rig = Rig(machine)
+    rest, outside = rig.at_rest(), rig.outside()
+    factor = smallest(rest.tension) / largest(rest.tension)
+    return ModelFunction(
+        "tension_factor",
+        "Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace",
+        "Yoon eq. 13",
+        rig.inputs,
+        (scalar_output("factor", "1", where(outside.condition, 0, factor)),),
+        (rig.touching(), rank_lost(rig.factors), outside),
+        (rig.label(), Label("rest", rest.tension, "T0")),
+    )
+
+
+def isotropic_force_function(machine: Machine) -> ModelFunction:
+    """True isotropic force, from the facets of the feasible wrenches."""
+    rig = Rig(machine)
+    outside = rig.outside()
+    radius = ca.fmax(0, rig.wrench_set.inner_radius())
+    return ModelFunction(
+        "isotropic_force",
+        "Isotropic force I_F: the largest force that every direction admits; 0 outside the workspace",
+        "Yoon section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it",
+        rig.inputs,
+        (scalar_output("force", "N", radius),),
+        (rig.touching(), outside),
+        (rig.label(),),
+    )
+
+
+def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
+    """Isotropic force as published, from the parallelograms of adjacent tension margins."""
+    rig = Rig(machine)
+    outside = rig.outside()
+    margins = [machine.tension.max - value for value in rig.at_rest().tension]
+    radius = smallest(
+        [
+            where(adjacent(rig, i, j), parallelogram_radius(rig, margins, i, j), FAR)
+            for i in range(len(margins))
+            for j in range(len(margins))
+            if i != j
+        ]
+    )
+    return ModelFunction(
+        "isotropic_force_eq17",
+        "Isotropic force as published: the smallest circle in the parallelograms of adjacent cables",
+        "Yoon eq. 17; a lower bound of the true isotropic force",
+        rig.inputs,
+        (scalar_output("force", "N", where(outside.condition, 0, radius)),),
+        (rig.touching(), rank_lost(rig.factors), outside),
+        (rig.label(), Label("margin", margins, "t_i = T_max - T0_i")),
+    )
+
+
+def adjacent(rig: Rig, i: int, j: int) -> Scalar:
+    """Whether cable j is the next one counter-clockwise from cable i, at an angle in (0, pi]."""
+    crosses = rig.wrench_set.crosses
+    ahead = ca.logic_or(
+        crosses[i][j] > 0,
+        ca.logic_and(crosses[i][j] >= 0, dot(rig.rays[i], rig.rays[j]) < 0),
+    )
+    between = [
+        ca.logic_and(crosses[i][k] > 0, crosses[k][j] > 0)
+        for k in range(len(rig.rays))
+        if k not in (i, j)
+    ]
+    return ca.logic_and(ahead, ca.logic_not(any_of(between))) if between else ahead
+
+
+def parallelogram_radius(rig: Rig, margins: Vector, i: int, j: int) -> Scalar:
+    """r_i of eq. 17: the shorter side, or the smaller height where the angle exceeds pi/2."""
+    shorter = ca.fmin(margins[i], margins[j])
+    obtuse = dot(rig.rays[i], rig.rays[j]) < 0
+    return where(obtuse, shorter * rig.wrench_set.crosses[i][j], shorter)
+
+
+def functions(machine: Machine) -> list[ModelFunction]:
+    """Everything this topic generates."""
+    return [
+        zero_wrench_tension_function(machine),
+        tension_factor_function(machine),
+        isotropic_force_function(machine),
+        isotropic_force_eq17_function(machine),
+    ]

@@ -1,0 +1,71 @@
+"""Scalar operations the model is written in.
+
+The model's formulas take and return plain lists of scalars, so that the same Python function runs on
+CasADi symbols (to generate code) and on SymPy symbols (to prove identities). Only the square root
+needs to know which of the two it got; the SymPy proof registers its own.
+"""
+
+from functools import singledispatch
+from typing import Any, TypeAlias
+
+import casadi as ca
+
+Scalar: TypeAlias = Any
+Vector: TypeAlias = list[Any]
+Matrix: TypeAlias = list[list[Any]]
+
+
+@singledispatch
+def sqrt(value: Scalar) -> Scalar:
+    """Square root of a scalar of whichever algebra it belongs to."""
+    return ca.sqrt(value)
+
+
+def where(condition: Scalar, yes: Scalar, no: Scalar) -> Scalar:
+    """`yes` where the condition holds, otherwise `no`; the arm not taken has no influence."""
+    return ca.if_else(condition, yes, no)
+
+
+def clamp(value: Scalar, low: Scalar, high: Scalar) -> Scalar:
+    """The nearest point of [low, high]."""
+    return ca.fmin(ca.fmax(value, low), high)
+
+
+def any_of(conditions: list[Scalar]) -> Scalar:
+    """Whether one of the conditions holds."""
+    result = conditions[0]
+    for condition in conditions[1:]:
+        result = ca.logic_or(result, condition)
+    return result
+
+
+def all_of(conditions: list[Scalar]) -> Scalar:
+    """Whether every condition holds."""
+    result = conditions[0]
+    for condition in conditions[1:]:
+        result = ca.logic_and(result, condition)
+    return result
+
+
+def largest(values: list[Scalar]) -> Scalar:
+    """Largest of the values."""
+    result = values[0]
+    for value in values[1:]:
+        result = ca.fmax(result, value)
+    return result
+
+
+def smallest(values: list[Scalar]) -> Scalar:
+    """Smallest of the values."""
+    result = values[0]
+    for value in values[1:]:
+        result = ca.fmin(result, value)
+    return result
+
+
+def total(values: list[Scalar]) -> Scalar:
+    """Sum, added from the left: the order of the generated C."""
+    result = values[0]
+    for value in values[1:]:
+        result = result + value
+    return result

@@ -1,0 +1,133 @@
+"""The wrenches that cables within their bounds can exert: a zonotope, here of planar forces.
+
+Each cable i gives the pair of facets parallel to it. With w = s_i x W the pair reads
+|w - centre_i| <= half_i, where centre_i = s_i x (mean tension on every cable) and
+half_i = half the tension range times sum_j |s_i x s_j|.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from model.symbolic.linear import add_scaled, cross, dot
+from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, clamp, smallest, total, where
+
+#: Larger than any squared distance in the wrench space, N^2; safe in single precision.
+FAR = 1e30
+
+
+@dataclass(frozen=True)
+class WrenchSet:
+    """Facets of the set {S T : low <= T <= high} for columns s_i in the plane."""
+
+    columns: Matrix
+    low: float
+    high: float
+    crosses: Matrix
+    centres: Vector
+    halves: Vector
+
+    def heights(self, wrench: Sequence[Scalar]) -> Vector:
+        """w_i = s_i x W, the wrench along the normal of each pair of facets."""
+        return [cross(column, wrench) for column in self.columns]
+
+    def contains(self, wrench: Sequence[Scalar]) -> Scalar:
+        """Whether the wrench is feasible."""
+        offsets = [a - b for a, b in zip(self.heights(wrench), self.centres, strict=True)]
+        return all_of(
+            [ca.fabs(offset) <= half for offset, half in zip(offsets, self.halves, strict=True)]
+        )
+
+    def contains_zero(self) -> Scalar:
+        """Whether the cables can hold the platform without any force on it."""
+        return all_of(
+            [
+                ca.fabs(centre) <= half
+                for centre, half in zip(self.centres, self.halves, strict=True)
+            ]
+        )
+
+    def inner_radius(self) -> Scalar:
+        """Largest r such that every force up to r is feasible (the true I_F); negative if none.
+
+        The columns must have length 1.
+        """
+        return smallest(
+            [half - ca.fabs(centre) for centre, half in zip(self.centres, self.halves, strict=True)]
+        )
+
+    def fraction(self, wrench: Sequence[Scalar]) -> tuple[Scalar, Scalar]:
+        """Least and largest s such that s W is feasible; the first exceeds the second if none is."""
+        lows: Vector = []
+        highs: Vector = []
+        for height, centre, half in zip(
+            self.heights(wrench), self.centres, self.halves, strict=True
+        ):
+            crosses_it = ca.fabs(height) > 0
+            inverse = 1 / height
+            ends = (centre - half) * inverse, (centre + half) * inverse
+            lows.append(where(crosses_it, ca.fmin(*ends), -FAR))
+            highs.append(where(crosses_it, ca.fmax(*ends), FAR))
+        low, high = lows[0], highs[0]
+        for other_low, other_high in zip(lows[1:], highs[1:], strict=True):
+            low, high = ca.fmax(low, other_low), ca.fmin(high, other_high)
+        return low, high
+
+    def closest(self, wrench: Sequence[Scalar]) -> Vector:
+        """Nearest point of the boundary to a wrench outside the set."""
+        best: Vector = [ca.SX(0), ca.SX(0)]
+        least = ca.SX(FAR)
+        heights = self.heights(wrench)
+        for number in range(len(self.columns)):
+            offset = heights[number] - self.centres[number]
+            candidate = self.closest_on_edge(number, offset > 0, wrench)
+            gap = [a - b for a, b in zip(candidate, wrench, strict=True)]
+            distance = where(ca.fabs(offset) > self.halves[number], dot(gap, gap), FAR)
+            nearer = distance < least
+            best = [where(nearer, a, b) for a, b in zip(candidate, best, strict=True)]
+            least = where(nearer, distance, least)
+        return best
+
+    def closest_on_edge(self, number: int, upper: Scalar, wrench: Sequence[Scalar]) -> Vector:
+        """Nearest point on the edge along cable `number`, on the upper or lower side of the pair."""
+        corner: Vector = [ca.SX(0), ca.SX(0)]
+        for other, column in enumerate(self.columns):
+            if other == number:
+                continue
+            leans = self.leans_up(number, other)
+            agree = ca.logic_or(
+                ca.logic_and(upper, leans), ca.logic_and(ca.logic_not(upper), ca.logic_not(leans))
+            )
+            tension = where(agree, self.high, self.low)
+            corner = add_scaled(corner, tension, column)
+        edge = self.columns[number]
+        rest = [a - b for a, b in zip(wrench, corner, strict=True)]
+        tension = clamp(dot(rest, edge) / dot(edge, edge), self.low, self.high)
+        return add_scaled(corner, tension, edge)
+
+    def leans_up(self, number: int, other: int) -> Scalar:
+        """Whether more tension in `other` raises w_number; parallel cables are told apart by order."""
+        if number < other:
+            return self.crosses[number][other] >= 0
+        return self.crosses[number][other] > 0
+
+
+def wrench_set(columns: Matrix, low: float, high: float) -> WrenchSet:
+    """Facets of the feasible wrenches for structure-matrix columns s_i and tensions in [low, high]."""
+    count = len(columns)
+    crosses: Matrix = [[ca.SX(0)] * count for _ in range(count)]
+    for i in range(count):
+        for j in range(i + 1, count):
+            crosses[i][j] = cross(columns[i], columns[j])
+            crosses[j][i] = -crosses[i][j]
+    mean, half = (low + high) / 2, (high - low) / 2
+    others = [[j for j in range(count) if j != i] for i in range(count)]
+    return WrenchSet(
+        columns,
+        low,
+        high,
+        crosses,
+        [mean * total([crosses[i][j] for j in others[i]]) for i in range(count)],
+        [half * total([ca.fabs(crosses[i][j]) for j in others[i]]) for i in range(count)],
+    )
