@@ -1,0 +1,332 @@
+#include "controller.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "tb_control.h"
+#include "tb_kinematics.h"
+#include "tb_statics.h"
+#include "tb_tension.h"
+
+/* Rows of the memory that the generated filters keep; the rest of a row is their own. */
+#define OBSERVER_PREVIOUS_LENGTH 0
+#define OBSERVER_MOTOR_SPEED 1
+#define BASE_PREVIOUS_RAIL 1
+#define BASE_SPEED 2
+
+static const tb_outputs nothing;
+static const tb_controller at_rest;
+
+static bool is_good(tb_status status)
+{
+    return (status == TB_OK) || (status == TB_INFEASIBLE);
+}
+
+static void copy(size_t count, const real_t from[], real_t to[])
+{
+    for (size_t i = 0; i < count; i++) {
+        to[i] = from[i];
+    }
+}
+
+static void fill(size_t count, real_t value, real_t to[])
+{
+    for (size_t i = 0; i < count; i++) {
+        to[i] = value;
+    }
+}
+
+/* First-order low-pass on the backward difference. */
+static void filter_rates(size_t count, const real_t measured[], real_t previous[], real_t rates[])
+{
+    for (size_t i = 0; i < count; i++) {
+        real_t const rate = (measured[i] - previous[i]) * (TB_C(1.0) / TB_PERIOD);
+        rates[i] += TB_VELOCITY_GAIN * (rate - rates[i]);
+        previous[i] = measured[i];
+    }
+}
+
+static tb_status locate_platform(tb_controller *controller, const tb_inputs *inputs,
+                                 tb_outputs *outputs)
+{
+    tb_status const status =
+        tb_forward_kinematics(inputs->lengths, inputs->rails, outputs->pose, &outputs->residual);
+    if (status != TB_OK) {
+        return status;
+    }
+    copy(TB_DOF, outputs->pose, controller->pose);
+    filter_rates(TB_CABLES, inputs->lengths, controller->lengths, controller->length_rates);
+    filter_rates(TB_RAILS, inputs->rails, controller->rails, controller->rail_rates);
+    return tb_task_velocity(outputs->pose, inputs->rails, controller->length_rates,
+                            controller->rail_rates, outputs->velocity);
+}
+
+static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
+{
+    tb_status const status =
+        tb_wall_force(outputs->pose, outputs->velocity, outputs->wanted_force);
+    for (size_t i = 0; i < TB_DOF; i++) {
+        outputs->wanted_force[i] += inputs->force[i];
+    }
+    return status;
+}
+
+static tb_status distribute_force(const tb_inputs *inputs, real_t structure[],
+                                  tb_outputs *outputs)
+{
+    tb_status const status = tb_structure_matrix(outputs->pose, inputs->rails, structure);
+    if (status != TB_OK) {
+        return status;
+    }
+    real_t kkt_residual[1];
+    return tb_distribute_tension(structure, outputs->wanted_force, outputs->tension,
+                                 outputs->delivered_force, kkt_residual);
+}
+
+#if TB_HAS_OBSERVER
+
+#if TB_HAND_FORCE_MEASURED
+
+/* More than all cables together can pull is a broken sensor, not a hand; a NaN fails too. */
+static bool is_believable(const real_t hand_force[])
+{
+    real_t const bound = (real_t)TB_CABLES * TB_TENSION_MAX;
+    bool believable = true;
+    for (size_t i = 0; i < TB_DOF; i++) {
+        believable = believable && (hand_force[i] >= -bound) && (hand_force[i] <= bound);
+    }
+    return believable;
+}
+
+static tb_status find_hand_force(const tb_inputs *inputs, const tb_outputs *outputs,
+                                 real_t hand_force[])
+{
+    (void)outputs;
+    copy(TB_DOF, inputs->hand_force, hand_force);
+    return is_believable(hand_force) ? TB_OK : TB_OUT_OF_DOMAIN;
+}
+
+#else
+
+/* A hand without a sensor is taken to hold against the force that was asked of the cables. */
+static tb_status find_hand_force(const tb_inputs *inputs, const tb_outputs *outputs,
+                                 real_t hand_force[])
+{
+    (void)inputs;
+    for (size_t i = 0; i < TB_DOF; i++) {
+        hand_force[i] = -outputs->delivered_force[i];
+    }
+    return TB_OK;
+}
+
+#endif
+
+/* What the cables carry. The hand tells their wrench; what they carry against each other nobody
+ * measures, so it is taken to be what the motors were asked for. Were it taken from the tension
+ * command instead, the observer would integrate its own errors there without end. */
+static tb_status find_load(const tb_controller *controller, const tb_inputs *inputs,
+                           const real_t structure[], const tb_outputs *outputs, real_t load[])
+{
+    real_t hand_force[TB_DOF];
+    real_t applied_tension[TB_CABLES];
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        applied_tension[i] = controller->torque[i] * (TB_C(1.0) / TB_DRUM_RADIUS);
+    }
+    tb_status const status = find_hand_force(inputs, outputs, hand_force);
+    if (status != TB_OK) {
+        return status;
+    }
+    return tb_load_tension(structure, applied_tension, hand_force, load);
+}
+
+static tb_status estimate_disturbance(tb_controller *controller, const tb_inputs *inputs,
+                                      const real_t structure[], tb_outputs *outputs)
+{
+    real_t load[TB_CABLES];
+    tb_status const status = find_load(controller, inputs, structure, outputs, load);
+    if (status != TB_OK) {
+        return status;
+    }
+    real_t memory[TB_CABLES * TB_OBSERVER_MEMORY];
+    copy(TB_CABLES * TB_OBSERVER_MEMORY, controller->observer, memory);
+    return tb_observe_disturbance(memory, inputs->lengths, load, controller->torque,
+                                  controller->observer, outputs->disturbance);
+}
+
+#else
+
+static tb_status estimate_disturbance(tb_controller *controller, const tb_inputs *inputs,
+                                      const real_t structure[], tb_outputs *outputs)
+{
+    (void)controller;
+    (void)inputs;
+    (void)structure;
+    fill(TB_CABLES, TB_C(0.0), outputs->disturbance);
+    return TB_OK;
+}
+
+#endif
+
+#if TB_RAILS > 0
+
+static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
+                            tb_outputs *outputs)
+{
+    tb_status status = tb_base_targets(outputs->pose, outputs->rail_target);
+    if (status == TB_OK) {
+        real_t memory[TB_RAILS * TB_BASE_MEMORY];
+        copy(TB_RAILS * TB_BASE_MEMORY, controller->base, memory);
+        status = tb_base_pid(memory, outputs->rail_target, inputs->rails, controller->base,
+                             outputs->rail_force);
+    }
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        outputs->rail_torque[i] = TB_PINION_RADIUS * outputs->rail_force[i];
+    }
+    return status;
+}
+
+static void resume_bases(tb_controller *controller, const real_t rails[])
+{
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        real_t *const base = &controller->base[i * TB_BASE_MEMORY];
+        base[BASE_PREVIOUS_RAIL] = rails[i] - (base[BASE_SPEED] * TB_PERIOD);
+        controller->rails[i] = rails[i] - (controller->rail_rates[i] * TB_PERIOD);
+    }
+}
+
+#else
+
+static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
+                            tb_outputs *outputs)
+{
+    (void)controller;
+    (void)inputs;
+    (void)outputs;
+    return TB_OK;
+}
+
+static void resume_bases(tb_controller *controller, const real_t rails[])
+{
+    (void)controller;
+    (void)rails;
+}
+
+#endif
+
+/* Place the previous measurements where the kept rates came from, so that no filter sees a jump. */
+static void resume(tb_controller *controller, const real_t lengths[], const real_t rails[])
+{
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        real_t *const observer = &controller->observer[i * TB_OBSERVER_MEMORY];
+        real_t const winding_rate = TB_DRUM_RADIUS * observer[OBSERVER_MOTOR_SPEED];
+        observer[OBSERVER_PREVIOUS_LENGTH] = lengths[i] - (winding_rate * TB_PERIOD);
+        controller->lengths[i] = lengths[i] - (controller->length_rates[i] * TB_PERIOD);
+    }
+    resume_bases(controller, rails);
+    controller->interrupted = 0;
+}
+
+/* The share of its torque that a motor keeps for the observer. */
+static const real_t compensation_limit = TB_TORQUE_LIMIT - (TB_DRUM_RADIUS * TB_TENSION_MAX);
+
+static real_t limit_compensation(real_t disturbance)
+{
+    return tb_min(tb_max(disturbance, -compensation_limit), compensation_limit);
+}
+
+/* What is asked of the cable motors, before the gate. */
+static tb_status command_torques(const tb_inputs *inputs, tb_outputs *outputs)
+{
+    bool const compensated = (inputs->options & TB_OPTION_UNCOMPENSATED) == 0;
+    tb_status const status = tb_motor_torques(outputs->tension, outputs->motor_torque);
+    for (size_t i = 0; (i < TB_CABLES) && compensated; i++) {
+        outputs->motor_torque[i] += limit_compensation(outputs->disturbance[i]);
+    }
+    return status;
+}
+
+/* Tension from the wanted force; torques from tension and disturbance. */
+static tb_status pull_cables(tb_controller *controller, const tb_inputs *inputs,
+                             tb_outputs *outputs)
+{
+    real_t structure[TB_DOF * TB_CABLES];
+    tb_status const distributed = distribute_force(inputs, structure, outputs);
+    if (!is_good(distributed)) {
+        return distributed;
+    }
+    tb_status status = estimate_disturbance(controller, inputs, structure, outputs);
+    if (status == TB_OK) {
+        status = command_torques(inputs, outputs);
+    }
+    return (status == TB_OK) ? distributed : status;
+}
+
+static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs,
+                           tb_outputs *outputs)
+{
+    tb_status status = locate_platform(controller, inputs, outputs);
+    if (status == TB_OK) {
+        status = move_bases(controller, inputs, outputs);
+    }
+    if (status == TB_OK) {
+        status = render_force(inputs, outputs);
+    }
+    if (status == TB_OK) {
+        status = pull_cables(controller, inputs, outputs);
+    }
+    return status;
+}
+
+/* The outputs of a failed cycle: cables just taut, carriages free. */
+static void hold_safe(const tb_controller *controller, tb_outputs *outputs)
+{
+    *outputs = nothing;
+    copy(TB_DOF, controller->pose, outputs->pose);
+    copy(TB_RAILS, controller->rails, outputs->rail_target);
+    fill(TB_CABLES, TB_TENSION_MIN, outputs->tension);
+    fill(TB_CABLES, TB_DRUM_RADIUS * TB_TENSION_MIN, outputs->motor_torque);
+}
+
+/* No torque leaves the step but through here. */
+static void pass_gate(tb_controller *controller, tb_outputs *outputs)
+{
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        real_t const command = outputs->motor_torque[i];
+        outputs->gate[i] =
+            tb_torque_gate(controller->torque[i], command, &outputs->motor_torque[i]);
+    }
+    copy(TB_CABLES, outputs->motor_torque, controller->torque);
+}
+
+tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB_CABLES],
+                              const real_t rails[TB_RAIL_SLOTS])
+{
+    real_t residual[1];
+    *controller = at_rest;
+    controller->interrupted = 1;
+    tb_status const status = tb_forward_kinematics(lengths, rails, controller->pose, residual);
+    if (status == TB_OK) {
+        resume(controller, lengths, rails);
+    }
+    return status;
+}
+
+tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,
+                             tb_outputs *outputs)
+{
+    tb_controller next = *controller;
+    *outputs = nothing;
+    if (next.interrupted != 0) {
+        resume(&next, inputs->lengths, inputs->rails);
+    }
+    tb_status const status = run_cycle(&next, inputs, outputs);
+    if (is_good(status)) {
+        *controller = next;
+    } else {
+        controller->interrupted = 1;
+        hold_safe(controller, outputs);
+    }
+    pass_gate(controller, outputs);
+    outputs->status = (int32_t)status;
+    return status;
+}
