@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from model.kind import KINDS
 from model.problem import FOUND_NOTHING, Location, Problem, key_path, shown
 
 if TYPE_CHECKING:
@@ -127,20 +126,21 @@ def _observer(machine: Machine, tables: Tables) -> Found:
 
 
 def _cut_offs(machine: Machine, tables: Tables) -> Found:
-    corners = {("control", "velocity_corner"): machine.control.velocity_corner}
+    half = machine.control.rate / 2
+    corners = {("control", "velocity_corner"): (machine.control.velocity_corner, half)}
     if machine.rail_drive:
-        corners["rail_drive", "derivative_corner"] = machine.rail_drive.derivative_corner
+        corners["rail_drive", "derivative_corner"] = machine.rail_drive.derivative_corner, half
     observer = machine.disturbance_observer
     if observer and observer.corner:
-        corners["disturbance_observer", "corner"] = observer.corner
+        corners["disturbance_observer", "corner"] = observer.corner, half
     elif observer and observer.minus_3db:
-        corners["disturbance_observer", "minus_3db"] = observer.pole_corner
-    half = machine.control.rate / 2
-    for location, corner in corners.items():
-        if corner >= half:
-            yield _problem(
-                tables, location, f"a corner below half of control.rate, which is {half:g} Hz"
-            )
+        limit = half * observer.cut_off / observer.pole_corner
+        corners["disturbance_observer", "minus_3db"] = observer.minus_3db, limit
+    for location, (corner, limit) in corners.items():
+        if corner >= limit:
+            reason = "so that the corner is below half of control.rate"
+            allowed = f"a frequency below {limit:.4g} Hz, {reason}"
+            yield _problem(tables, location, allowed)
 
 
 def _target(machine: Machine, tables: Tables) -> Found:
@@ -172,7 +172,7 @@ def _parallel_cables(machine: Machine, tables: Tables) -> Found:
         yield Problem(
             "cable",
             f"{len(machine.cables)} cables, parallel wherever in the target the platform is",
-            f"bases whose cables pull in {KINDS[machine.kind].dof} independent directions",
+            f"bases whose cables pull in {machine.dof} independent directions",
         )
 
 

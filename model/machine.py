@@ -177,7 +177,8 @@ class DisturbanceObserver(Table):
         """tau [s] of each pole: 1/(2 pi corner), or sqrt(sqrt 2 - 1)/(2 pi minus_3db)."""
         if self.corner is not None:
             return 1 / (2 * math.pi * self.corner)
-        return DOUBLE_POLE_3DB / (2 * math.pi * (self.minus_3db or math.nan))
+        assert self.minus_3db is not None  # load_machine has seen to it
+        return DOUBLE_POLE_3DB / (2 * math.pi * self.minus_3db)
 
     @property
     def pole_corner(self) -> float:

@@ -17,7 +17,7 @@ Location = Sequence[str | int]
 LONGEST_SHOWN = 60
 # Python refuses to write out longer integers than some thousand bits.
 LONGEST_INTEGER = 1024
-BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+BARE_KEY = re.compile(rf"[A-Za-z0-9_-]{{1,{LONGEST_SHOWN}}}")
 FOUND_NOTHING = "nothing, it is missing"
 
 
