@@ -1,0 +1,160 @@
+"""The compiled controller step (runtime/core) in Python, for tests and the virtual bench."""
+
+import ctypes
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from codegen.bind import REALS, Generated, pointer
+from codegen.compile import compile_library
+from model.machine import Machine
+
+Reals = NDArray[np.floating[Any]]
+
+UNCOMPENSATED = 1
+"""TB_OPTION_UNCOMPENSATED: estimate the disturbance, do not compensate it."""
+
+SHIM = Path(__file__).parent / "controller_shim.c"
+RUNTIME_CORE = Path(__file__).parents[1] / "runtime" / "core"
+
+
+class Outputs(NamedTuple):
+    """What one cycle gives: arrays (n) of cables, (m) of rails, (d) of degrees of freedom."""
+
+    pose: Reals  # m
+    velocity: Reals  # m/s
+    residual: Reals  # m, ()
+    wanted_force: Reals  # N
+    delivered_force: Reals  # N
+    tension: Reals  # N
+    disturbance: Reals  # N m
+    motor_torque: Reals  # N m
+    rail_target: Reals  # m
+    rail_force: Reals  # N
+    rail_torque: Reals  # N m
+    gate: NDArray[np.uint32]  # flags of the torque gate
+    status: NDArray[np.int32]  # tb_status, ()
+
+
+class Controller:
+    """The controller of one machine, with its memory.
+
+    Raises RuntimeError when the C structs are not laid out as this module believes.
+    """
+
+    def __init__(self, generated: Generated, core: Path = RUNTIME_CORE) -> None:
+        """Compile and load the runtime's core, kept in `core`, around a machine's generated C."""
+        folder = generated.folder
+        sources = [*sorted(folder.glob("*.c")), *sorted(core.glob("*.c")), SHIM]
+        library = compile_library(sources, [folder, core], generated.precision)
+        self._library = ctypes.CDLL(str(library))
+        self._library.shim_run.restype = None
+        self._rails = len(generated.machine.rail_cables)
+        self.inputs_layout, self.outputs_layout, memory_layout = layouts(
+            generated.machine, generated.precision
+        )
+        self._check_size("inputs", self.inputs_layout)
+        self._check_size("outputs", self.outputs_layout)
+        self._check_size("controller", memory_layout)
+        self.memory = np.zeros(1, memory_layout)
+
+    def start(self, lengths: ArrayLike, rails: ArrayLike) -> int:
+        """tb_controller_start with measured lengths [m] (n), rails [m] (m); returns tb_status."""
+        inputs = self.recording(1)
+        inputs["lengths"], inputs["rails"][:, : self._rails] = lengths, rails
+        measured = pointer(inputs["lengths"]), pointer(inputs["rails"])
+        return int(self._library.tb_controller_start(pointer(self.memory), *measured))
+
+    def step(
+        self,
+        lengths: ArrayLike,
+        rails: ArrayLike,
+        force: ArrayLike,
+        hand_force: ArrayLike,
+        options: int = 0,
+    ) -> Outputs:
+        """One cycle: lengths [m] (n), rails [m] (m), force and hand_force [N] (d)."""
+        inputs = self.recording(1)
+        inputs["lengths"], inputs["rails"][:, : self._rails] = lengths, rails
+        inputs["force"], inputs["hand_force"], inputs["options"] = force, hand_force, options
+        outputs, _ = self.run_recorded(inputs)
+        return Outputs(*(column[0] for column in outputs))
+
+    def recording(self, cycles: int) -> NDArray[np.void]:
+        """Room for the inputs of so many cycles, to be filled and given to run_recorded."""
+        return np.zeros(cycles, self.inputs_layout)
+
+    def run_recorded(self, inputs: NDArray[np.void]) -> tuple[Outputs, NDArray[np.int64]]:
+        """Run the recorded cycles in one C call.
+
+        Returns outputs with a leading axis of cycles, and the nanoseconds each cycle took.
+        """
+        if inputs.dtype != self.inputs_layout:
+            raise ValueError(f"a recording has the layout {self.inputs_layout}, not {inputs.dtype}")
+        inputs = np.ascontiguousarray(inputs)
+        outputs = np.zeros(len(inputs), self.outputs_layout)
+        nanoseconds = np.zeros(len(inputs), np.int64)
+        self._library.shim_run(
+            pointer(self.memory),
+            ctypes.c_size_t(len(inputs)),
+            pointer(inputs),
+            pointer(outputs),
+            pointer(nanoseconds),
+        )
+        return Outputs(*(self._column(outputs, name) for name in Outputs._fields)), nanoseconds
+
+    def _column(self, outputs: NDArray[np.void], name: str) -> NDArray[Any]:
+        """One output of all cycles; the slot of a machine without rails is left out."""
+        column: NDArray[Any] = outputs[name]
+        return column[:, : self._rails] if name.startswith("rail_") else column
+
+    def _check_size(self, name: str, layout: np.dtype[np.void]) -> None:
+        size = getattr(self._library, f"shim_{name}_size")
+        size.restype = ctypes.c_size_t
+        if size() != layout.itemsize:
+            raise RuntimeError(
+                f"tb_{name} has {size()} bytes in the library, {layout.itemsize} here:"
+                " the library was built for another machine or precision"
+            )
+
+
+def layouts(machine: Machine, precision: str) -> tuple[np.dtype[np.void], ...]:
+    """tb_inputs, tb_outputs and tb_controller of runtime/core/controller.h."""
+    n, m, d = (len(machine.cables),), (max(1, len(machine.rail_cables)),), (machine.dof,)
+    reals = REALS[precision]
+    inputs = [
+        ("lengths", reals, n),
+        ("rails", reals, m),
+        ("force", reals, d),
+        ("hand_force", reals, d),
+        ("options", np.uint32),
+    ]
+    outputs = [
+        ("pose", reals, d),
+        ("velocity", reals, d),
+        ("residual", reals),
+        ("wanted_force", reals, d),
+        ("delivered_force", reals, d),
+        ("tension", reals, n),
+        ("disturbance", reals, n),
+        ("motor_torque", reals, n),
+        ("rail_target", reals, m),
+        ("rail_force", reals, m),
+        ("rail_torque", reals, m),
+        ("gate", np.uint32, n),
+        ("status", np.int32),
+    ]
+    memory = [
+        ("pose", reals, d),
+        ("lengths", reals, n),
+        ("length_rates", reals, n),
+        ("rails", reals, m),
+        ("rail_rates", reals, m),
+        ("observer", reals, (*n, 5)),
+        ("base", reals, (*m, 3)),
+        ("torque", reals, n),
+        ("interrupted", np.uint32),
+    ]
+    return tuple(np.dtype(fields, align=True) for fields in (inputs, outputs, memory))
