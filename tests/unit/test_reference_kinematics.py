@@ -151,6 +151,16 @@ def test_forward_kinematics_is_the_least_squares_fit_of_wrong_lengths(noise: flo
         assert np.allclose(found.pose[i], fit.x, rtol=0, atol=1e-7)
 
 
+def test_forward_kinematics_settles_even_where_the_lengths_are_far_off() -> None:
+    pose, rails = random_poses(300)
+    lengths = cable_lengths(STOCK, pose, rails)
+    lengths = np.abs(lengths + 0.05 * np.random.default_rng(0).normal(size=lengths.shape))
+    found = forward_kinematics(STOCK, lengths, rails)
+    left = lengths - cable_lengths(STOCK, found.pose, rails)
+    slope = np.sum(structure_matrix(STOCK, found.pose, rails) * left[:, None, :], axis=-1)
+    assert np.max(np.abs(slope)) < 1e-3
+
+
 def test_two_mirrored_poses_are_not_told_apart() -> None:
     in_line = machine_with((0.1, 0.2), (0.3, 0.2), (0.6, 0.2))
     found = forward_kinematics(in_line, cable_lengths(in_line, [0.2, 0.3], NO_RAILS), NO_RAILS)

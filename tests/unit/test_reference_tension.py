@@ -225,15 +225,18 @@ def test_cables_all_on_one_line_give_what_they_can_along_it(policy: str) -> None
     assert np.allclose(across.delivered, 0, rtol=0, atol=100 * EPS)
 
 
-def test_nearly_parallel_cables_still_meet_the_wrench() -> None:
+def test_nearly_parallel_cables_still_meet_the_wrench_with_the_least_norm() -> None:
     rng = np.random.default_rng(3)
-    for spread in 10.0 ** -np.arange(1, 13):
-        angle = spread * rng.normal(size=(50, 4)) + np.pi * rng.integers(0, 2, (50, 4))
+    for spread in 10.0 ** -np.arange(1, 8):
+        angle = rng.uniform(0, 2 * np.pi, (500, 1)) + spread * rng.normal(size=(500, 4))
+        angle += np.pi * rng.integers(0, 2, (500, 4))
         structure = np.stack([np.cos(angle), np.sin(angle)], axis=-2)
-        wrench = np.sum(structure * rng.uniform(LOWER, UPPER, (50, 1, 4)), axis=-1)
+        wrench = np.sum(structure * rng.uniform(LOWER, UPPER, (500, 1, 4)), axis=-1)
         found = distribute_tension(STOCK, structure, wrench, "closest")
         assert np.all(found.feasible)
         assert np.max(np.abs(found.delivered - wrench)) < 1e3 * UPPER * EPS
+        wide = distribute_tension(STOCK, structure, wrench.astype(np.longdouble), "closest")
+        assert np.allclose(found.tension, wide.tension, rtol=0, atol=1e-4)
 
 
 def test_where_the_zero_wrench_is_infeasible_scale_takes_the_largest_feasible_part() -> None:
@@ -245,6 +248,14 @@ def test_where_the_zero_wrench_is_infeasible_scale_takes_the_largest_feasible_pa
     away = distribute_tension(STOCK, structure, [0.0, -5.0], "scale")
     nearest = distribute_tension(STOCK, structure, [0.0, -5.0], "closest")
     assert np.array_equal(away.tension, nearest.tension)
+
+
+def test_scale_takes_the_closest_where_the_ray_runs_beside_the_wrench_set() -> None:
+    structure = np.array([[-0.6, 0.6, 0.0], [0.8, 0.8, 1.0]])
+    along_a_cable = 30 * structure[:, 1]
+    beside = distribute_tension(STOCK, structure, along_a_cable, "scale")
+    nearest = distribute_tension(STOCK, structure, along_a_cable, "closest")
+    assert np.array_equal(beside.tension, nearest.tension)
 
 
 def test_long_double_is_met_to_long_double() -> None:
