@@ -10,8 +10,23 @@ ROOT = Path(__file__).parents[2]
 CORE = ROOT / "runtime" / "core"
 MACHINE = ROOT / "generated" / "yoon2023"
 SOURCES = sorted(CORE.glob("*.c"))
-STRICT = "-std=c11 -O2 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-math-errno".split()
-CORTEX_M4F = "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -DTB_REAL_FLOAT".split()
+STRICT = [
+    "-std=c11",
+    "-O2",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Werror",
+    "-fno-math-errno",
+]
+CORTEX_M4F = [
+    "-mcpu=cortex-m4",
+    "-mthumb",
+    "-mfpu=fpv4-sp-d16",
+    "-mfloat-abi=hard",
+    "-DTB_REAL_FLOAT",
+]
 
 ALLOWED_FROM_OUTSIDE = {"memcpy", "memset"}  # what a compiler makes of copying a struct
 COMPARISON_IN_DOUBLE = "\nint compare(float x);\nint compare(float x) { return x * 1.1 > 2.2; }\n"

@@ -1,0 +1,1 @@
+"""The virtual test bench: a plant, a hand, and experiments with the real compiled controller."""

@@ -1,0 +1,91 @@
+"""A hand that leads the handle along a path: mass, spring and damper about a smooth movement.
+
+The movement from point to point is the one of least jerk (Flash and Hogan 1985), as people move:
+s(u) = 10 u^3 - 15 u^4 + 6 u^5. The person knows the weight of the own arm, so what is left for
+spring and damper to carry is the device:
+
+    force on the handle = k (x_d - x) + b (v_d - v) + m (a_d - a)
+"""
+
+from bisect import bisect_right
+from dataclasses import dataclass
+
+from lab.strand import Pair
+from model.machine import Plant
+
+
+def least_jerk(u: float) -> float:
+    """Share of a movement done when the share u in [0, 1] of its time is over."""
+    return u * u * u * (10.0 + u * (6.0 * u - 15.0))
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One movement, from `start` to `end` [m], in `duration` [s] from the time `begin` [s]."""
+
+    begin: float
+    duration: float
+    start: Pair
+    end: Pair
+
+    def at(self, time: float) -> tuple[Pair, Pair, Pair]:
+        """Position [m], velocity [m/s] and acceleration [m/s^2]; at rest outside the leg."""
+        u = min(max((time - self.begin) / self.duration, 0.0), 1.0)
+        share = least_jerk(u)
+        slope = 30.0 * u * u * (1.0 - u) * (1.0 - u) / self.duration
+        bend = 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (self.duration * self.duration)
+        (x, y), dx, dy = self.start, self.end[0] - self.start[0], self.end[1] - self.start[1]
+        position = x + share * dx, y + share * dy
+        return position, (slope * dx, slope * dy), (bend * dx, bend * dy)
+
+
+class Path:
+    """Movements one after the other; before the first and after the last the hand rests."""
+
+    def __init__(self, start: Pair, rest: float) -> None:
+        """Begin at `start` [m] and rest there for `rest` [s]."""
+        self._legs = [Leg(0.0, rest, start, start)]
+        self._begins = [0.0]
+
+    @property
+    def end(self) -> float:
+        """Time at which the last movement ends [s]."""
+        return self._legs[-1].begin + self._legs[-1].duration
+
+    @property
+    def goal(self) -> Pair:
+        """Where the last movement ends [m]."""
+        return self._legs[-1].end
+
+    def move(self, target: Pair, duration: float) -> None:
+        """Then go to `target` [m] in `duration` [s]."""
+        begin, start = self.end, self.goal
+        self._begins.append(begin)
+        self._legs.append(Leg(begin, duration, start, target))
+
+    def rest(self, duration: float) -> None:
+        """Then stay for `duration` [s]."""
+        self.move(self.goal, duration)
+
+    def at(self, time: float) -> tuple[Pair, Pair, Pair]:
+        """Position [m], velocity [m/s] and acceleration [m/s^2] that the hand wants."""
+        return self._legs[max(bisect_right(self._begins, time) - 1, 0)].at(time)
+
+
+class Hand:
+    """A hand that follows a path; the handle and the device may hold it back."""
+
+    def __init__(self, plant: Plant, path: Path) -> None:
+        self.mass = plant.hand_mass
+        self._stiffness = plant.hand_stiffness
+        self._damping = plant.hand_damping
+        self._path = path
+
+    def push(self, time: float, position: Pair, velocity: Pair) -> Pair:
+        """Force of the muscles [N] at `time` [s], with the handle at `position` [m] and moving."""
+        (x, y), (vx, vy), (ax, ay) = self._path.at(time)
+        k, b, m = self._stiffness, self._damping, self.mass
+        return (
+            k * (x - position[0]) + b * (vx - velocity[0]) + m * ax,
+            k * (y - position[1]) + b * (vy - velocity[1]) + m * ay,
+        )

@@ -1,0 +1,146 @@
+"""A planar cable machine as physics: handle, cables, motors, carriages, friction, rail ends.
+
+Every strand (strand.py) gives its tension as T = pull - inertia lhat . a; what is left to solve
+is the handle, with the hand that holds it:  m a = push + sum of T lhat.
+
+A tension below zero is one that a real cable cannot carry: it would hang slack. The plant goes on
+with the negative value and shows it; nothing is clipped.
+
+Plain Python numbers, not arrays: with four cables that is several times faster than NumPy.
+"""
+
+from collections.abc import Sequence
+from math import ceil
+from typing import Protocol
+
+from lab.strand import Pair, strands
+from model.machine import Machine, Plant
+
+LOWEST_RATE = 8000.0
+"""Integration steps per second, at least [Hz]."""
+
+
+class Holder(Protocol):
+    """Whoever holds the handle."""
+
+    mass: float
+    """Mass that moves with the handle [kg]."""
+
+    def push(self, time: float, position: Pair, velocity: Pair) -> Pair:
+        """Force [N] that moves hand and handle together."""
+
+
+class PlanarPlant:
+    """The physics of a planar-point machine, advanced one control cycle at a time.
+
+    time [s]; position [m], velocity [m/s] of the handle; cable_force and hand_force [N] on it;
+    lowest_tension and highest_tension [N]: the extremes of any cable within the last cycle.
+    """
+
+    def __init__(
+        self, machine: Machine, plant: Plant, holder: Holder, position: Pair, rails: Sequence[float]
+    ) -> None:
+        self._strands = strands(machine, plant)
+        self._rail_cables = machine.rail_cables
+        self._carriages = [self._strands[index] for index in machine.rail_cables]
+        self._holder = holder
+        self._mass = plant.handle_mass + holder.mass
+        self._radius = machine.drum.radius
+        self._steps = ceil(LOWEST_RATE / machine.control.rate)
+        self._step = 1.0 / (machine.control.rate * self._steps)
+        self.time = 0.0
+        self.position = position
+        self.velocity: Pair = (0.0, 0.0)
+        self.cable_force: Pair = (0.0, 0.0)
+        self.hand_force: Pair = (0.0, 0.0)
+        self.lowest_tension = 0.0
+        self.highest_tension = 0.0
+        for carriage, s in zip(self._carriages, rails, strict=True):
+            carriage.s = s
+        self._look()
+
+    @property
+    def lengths(self) -> list[float]:
+        """Cable lengths [m] (n)."""
+        return [strand.length for strand in self._strands]
+
+    @property
+    def rails(self) -> list[float]:
+        """Rail coordinates [m] (m)."""
+        return [carriage.s for carriage in self._carriages]
+
+    @property
+    def tensions(self) -> list[float]:
+        """True cable tensions [N] (n)."""
+        return [strand.tension for strand in self._strands]
+
+    def advance(self, torques: Sequence[float], rail_forces: Sequence[float]) -> None:
+        """Run one control cycle; torques [N m] (n) of the motors, rail_forces [N] (m)."""
+        pulls = [torque / self._radius for torque in torques]
+        drives = [0.0] * len(self._strands)
+        for index, force in zip(self._rail_cables, rail_forces, strict=True):
+            drives[index] = force
+        self.lowest_tension, self.highest_tension = float("inf"), float("-inf")
+        for _ in range(self._steps):
+            self._move(self._accelerate(pulls, drives))
+
+    def _look(self) -> None:
+        for strand in self._strands:
+            strand.look(self.position, self.velocity)
+
+    def _accelerate(self, pulls: Sequence[float], drives: Sequence[float]) -> Pair:
+        """The handle's acceleration; carriages pushed past the end of their rail stay there."""
+        push = self._holder.push(self.time, self.position, self.velocity)
+        blocked: set[int] = set()
+        while True:
+            acceleration = self._solve(push, pulls, drives, blocked)
+            stopped = {i for i, strand in enumerate(self._strands) if strand.is_pushed_off()}
+            if not stopped:
+                break
+            blocked |= stopped
+        self._weigh(push, acceleration)
+        return acceleration
+
+    def _solve(
+        self, push: Pair, pulls: Sequence[float], drives: Sequence[float], blocked: set[int]
+    ) -> Pair:
+        fx, fy = push
+        mxx = myy = self._mass
+        mxy = 0.0
+        for index, strand in enumerate(self._strands):
+            strand.balance(pulls[index], drives[index], index in blocked)
+            (ux, uy), inertia, pull = strand.unit, strand.inertia, strand.pull
+            fx += ux * pull
+            fy += uy * pull
+            mxx += inertia * ux * ux
+            mxy += inertia * ux * uy
+            myy += inertia * uy * uy
+        determinant = mxx * myy - mxy * mxy
+        acceleration = (myy * fx - mxy * fy) / determinant, (mxx * fy - mxy * fx) / determinant
+        for index, strand in enumerate(self._strands):
+            strand.settle(acceleration, index in blocked)
+        return acceleration
+
+    def _weigh(self, push: Pair, acceleration: Pair) -> None:
+        """What a force sensor in the handle and a tension sensor in every cable would read."""
+        mass, (ax, ay) = self._holder.mass, acceleration
+        self.hand_force = push[0] - mass * ax, push[1] - mass * ay
+        self.cable_force = (
+            sum(strand.tension * strand.unit[0] for strand in self._strands),
+            sum(strand.tension * strand.unit[1] for strand in self._strands),
+        )
+        tensions = self.tensions
+        self.lowest_tension = min(self.lowest_tension, *tensions)
+        self.highest_tension = max(self.highest_tension, *tensions)
+
+    def _move(self, acceleration: Pair) -> None:
+        """Semi-implicit Euler: speeds first, positions with the new speeds."""
+        step = self._step
+        vx, vy = self.velocity
+        vx, vy = vx + acceleration[0] * step, vy + acceleration[1] * step
+        self.velocity = vx, vy
+        self.position = self.position[0] + vx * step, self.position[1] + vy * step
+        for strand in self._strands:
+            strand.move(step)
+        self.time += step
+        self._look()

@@ -1,0 +1,145 @@
+"""One cable of the plant: its motor, the cable itself, and its base on a rail or fixed.
+
+The cable is rigid and massless (Yoon III-E), so the motor turns exactly as the length l changes,
+and the tension T is the force of that constraint. With a the acceleration of the handle and w the
+velocity of the base relative to the handle:
+
+    r T = tau + (J l'' + B l') / r + dry friction              motor, tau > 0 pulls
+    M s'' = f - friction - T lhat . e                          carriage on its rail
+    l'' = lhat . e s'' - lhat . a + (|w|^2 - l'^2) / l         rigid cable
+
+These are linear in T and s''; eliminating s'' leaves T = pull - inertia lhat . a.
+"""
+
+from dataclasses import dataclass
+from math import copysign, exp, hypot
+
+from model.machine import FixedBase, Machine, Plant, RailBase
+
+Pair = tuple[float, float]
+
+PRESLIDING = 50e-6
+"""Distance [m] over which dry friction builds up, and gives way, when the motion turns."""
+
+
+@dataclass(slots=True)
+class Friction:
+    """Viscous damping, and dry friction that sticks (Dahl 1968).
+
+    dry [N], damping [N s/m]; grip in [-1, 1] is the share of the dry friction that is at work.
+    """
+
+    dry: float
+    damping: float
+    grip: float = 0.0
+
+    def force(self, speed: float) -> float:
+        """Force [N] that resists `speed` [m/s]."""
+        return self.damping * speed + self.dry * self.grip
+
+    def slide(self, distance: float) -> None:
+        """Let the grip follow a motion over `distance` [m], exactly however long that is."""
+        target = copysign(1.0, distance)
+        self.grip = target + (self.grip - target) * exp(-abs(distance) / PRESLIDING)
+
+
+@dataclass(frozen=True, slots=True)
+class Rail:
+    """Where a base can be: origin + s * direction, 0 <= s <= length; a fixed base has length 0."""
+
+    origin: Pair  # m
+    direction: Pair  # unit vector, (0, 0) for a fixed base
+    length: float  # m
+    mobility: float  # 1/kg, of the carriage; 0 for a fixed base
+
+
+@dataclass(slots=True)
+class Strand:
+    """State of one cable and its base, and the balance of forces at one instant."""
+
+    rail: Rail
+    motor_friction: Friction  # felt at the cable
+    carriage_friction: Friction
+    motor_mass: float  # kg, J / r^2
+    s: float = 0.0  # m
+    speed: float = 0.0  # m/s, of the carriage
+    acceleration: float = 0.0  # m/s^2, of the carriage
+    length: float = 0.0  # m
+    unit: Pair = (0.0, 0.0)  # lhat, from the handle to the base
+    rate: float = 0.0  # m/s, l'
+    swing: float = 0.0  # m/s^2, (|w|^2 - l'^2) / l
+    tension: float = 0.0  # N
+    pull: float = 0.0  # N, tension while the handle does not accelerate
+    inertia: float = 0.0  # kg
+
+    def look(self, position: Pair, velocity: Pair) -> None:
+        """Find length, direction and rate, from the handle's position [m] and velocity [m/s]."""
+        (x0, y0), (ex, ey) = self.rail.origin, self.rail.direction
+        dx, dy = x0 + self.s * ex - position[0], y0 + self.s * ey - position[1]
+        wx, wy = self.speed * ex - velocity[0], self.speed * ey - velocity[1]
+        self.length = hypot(dx, dy)
+        self.unit = ux, uy = dx / self.length, dy / self.length
+        self.rate = ux * wx + uy * wy
+        self.swing = (wx * wx + wy * wy - self.rate * self.rate) / self.length
+
+    def balance(self, motor_pull: float, rail_force: float, blocked: bool) -> None:
+        """Find pull and inertia; motor_pull [N] = tau / r, rail_force [N] on the carriage."""
+        mobility = 0.0 if blocked else self.rail.mobility
+        along = self._along_rail()
+        free = mobility * (rail_force - self.carriage_friction.force(self.speed))
+        self.inertia = self.motor_mass / (1.0 + self.motor_mass * along * along * mobility)
+        held = motor_pull + self.motor_friction.force(self.rate)
+        share = self.inertia / self.motor_mass
+        self.pull = share * held + self.inertia * (along * free + self.swing)
+        self.acceleration = free
+
+    def settle(self, acceleration: Pair, blocked: bool) -> None:
+        """Find tension and carriage acceleration from the handle's acceleration [m/s^2]."""
+        ux, uy = self.unit
+        self.tension = self.pull - self.inertia * (ux * acceleration[0] + uy * acceleration[1])
+        mobility = 0.0 if blocked else self.rail.mobility
+        self.acceleration -= mobility * self._along_rail() * self.tension
+
+    def move(self, step: float) -> None:
+        """Move carriage and motor for `step` seconds; the rail's ends stop it dead."""
+        self.speed += self.acceleration * step
+        self.s += self.speed * step
+        self.motor_friction.slide(self.rate * step)
+        self.carriage_friction.slide(self.speed * step)
+        if not 0.0 <= self.s <= self.rail.length:
+            self.s = min(max(self.s, 0.0), self.rail.length)
+            self.speed = 0.0
+
+    def is_pushed_off(self) -> bool:
+        """Whether the carriage stands at an end of its rail and is pushed past it."""
+        return (self.s <= 0.0 and self.acceleration < 0.0) or (
+            self.s >= self.rail.length and self.acceleration > 0.0
+        )
+
+    def _along_rail(self) -> float:
+        (ux, uy), (ex, ey) = self.unit, self.rail.direction
+        return ux * ex + uy * ey
+
+
+def strands(machine: Machine, plant: Plant) -> list[Strand]:
+    """The cables of a machine, at rest at the start of their rails."""
+    motor_mass = machine.cable_motor.inertia / machine.drum.radius**2
+    return [
+        Strand(_rail(cable.base, plant), *_frictions(machine, plant), motor_mass)
+        for cable in machine.cables
+    ]
+
+
+def _frictions(machine: Machine, plant: Plant) -> tuple[Friction, Friction]:
+    """Friction of a motor, as its cable feels it, and of a carriage."""
+    radius = machine.drum.radius
+    return (
+        Friction(plant.motor_coulomb_friction / radius, plant.motor_viscous_friction / radius**2),
+        Friction(plant.carriage_coulomb_friction, plant.carriage_viscous_friction),
+    )
+
+
+def _rail(base: FixedBase | RailBase, plant: Plant) -> Rail:
+    if isinstance(base, FixedBase):
+        return Rail(base.position, (0.0, 0.0), length=0.0, mobility=0.0)
+    return Rail(base.start, base.direction, base.length, 1.0 / plant.carriage_mass)
