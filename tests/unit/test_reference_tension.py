@@ -251,7 +251,7 @@ def test_where_the_zero_wrench_is_infeasible_scale_takes_the_largest_feasible_pa
 
 
 def test_scale_takes_the_closest_where_the_ray_runs_beside_the_wrench_set() -> None:
-    angle = np.deg2rad([0, 5, 10])  # the least tensions alone pull off the first cable's line
+    angle = np.deg2rad([0, 45, 90])  # the least tensions alone pull off the first cable's line
     structure = np.stack([np.cos(angle), np.sin(angle)])
     along_a_cable = 60 * structure[:, 0]
     beside = distribute_tension(STOCK, structure, along_a_cable, "scale")
