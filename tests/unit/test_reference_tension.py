@@ -16,6 +16,7 @@ from model.reference.tension import (
     minimum_norm_tension,
     wrench_feasible,
 )
+from model.reference.wrench_set import largest_share
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")
@@ -251,9 +252,9 @@ def test_where_the_zero_wrench_is_infeasible_scale_takes_the_largest_feasible_pa
 
 
 def test_scale_takes_the_closest_where_the_ray_runs_beside_the_wrench_set() -> None:
-    angle = np.deg2rad([0, 45, 90])  # the least tensions alone pull off the first cable's line
-    structure = np.stack([np.cos(angle), np.sin(angle)])
+    structure = np.array([[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])  # the third always pulls up
     along_a_cable = 60 * structure[:, 0]
+    assert np.isnan(largest_share(STOCK, structure[None], along_a_cable[None]))
     beside = distribute_tension(STOCK, structure, along_a_cable, "scale")
     nearest = distribute_tension(STOCK, structure, along_a_cable, "closest")
     assert np.array_equal(beside.tension, nearest.tension)
