@@ -60,19 +60,14 @@ def draw_machine(axes: Axes, machine: Machine, recording: Recording) -> None:
     *others, last = shown_cycles(recording)
     for cycle in others:
         draw_cables(axes, machine, recording, cycle, alpha=0.35)
-    axes.plot(*(MM * recording.position.T), color=INK, lw=1.6, label="path of the handle")
-    axes.plot(*(MM * recording.path.T), color=FAINT, ls="--", lw=1.2, label="path the hand wants")
+    axes.plot(*(MM * recording.position.T), color=INK, lw=1.6)
+    axes.plot(*(MM * recording.path.T), color=FAINT, ls="--", lw=1.2)
     draw_cables(axes, machine, recording, last, alpha=1.0)
     draw_force(axes, recording, last)
-    axes.set(aspect="equal", xlabel="x [mm]", ylabel="y [mm]", title=title(machine))
+    axes.set(aspect="equal", xlabel="x [mm]", ylabel="y [mm]")
+    axes.set_title(f"{machine.name}: path of the handle (dashed: where the hand wants to go)")
     axes.set(xlim=(-0.05 * width, 1.05 * width), ylim=(-0.06 * height, 1.06 * height))
     axes.grid(False)
-    axes.legend(loc="lower left", bbox_to_anchor=(0.05, 0.06))
-
-
-def title(machine: Machine) -> str:
-    """Name and source of a machine."""
-    return f"{machine.name} ({machine.source})"
 
 
 def draw_target(axes: Axes, machine: Machine) -> None:
@@ -157,14 +152,16 @@ def draw_cables(
 def draw_force(axes: Axes, recording: Recording, cycle: int) -> None:
     """The force of the cables on the handle, as an arrow."""
     position, force = MM * recording.position[cycle], recording.cable_force[cycle]
+    size = float(np.linalg.norm(force))
     tip = position + 14.0 * force
     axes.annotate("", tip, position, arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 2})
     axes.annotate(
-        f"{np.linalg.norm(force):.1f} N",
+        f"{size:.1f} N",
         tip,
-        xytext=(0, 7),
+        xytext=22.0 * force / max(size, 1e-9),
         textcoords="offset points",
         ha="center",
+        va="center",
         bbox={"facecolor": "white", "alpha": 0.8, "lw": 0, "pad": 1.0},
     )
 
@@ -194,11 +191,10 @@ def draw_walls(axes: Axes, machine: Machine, recording: Recording) -> None:
 def draw_turn(axes: Axes, recording: Recording) -> None:
     """The application's turning force, wanted and delivered, as a curve in the plane."""
     turn = recording.during(recording.task.phase("turn"))
-    axes.plot(*recording.cable_force[turn].T, color=CABLES[0], lw=1.6, label="delivered")
-    axes.plot(*recording.outputs.wanted_force[turn].T, color=INK, ls="--", lw=1.2, label="wanted")
+    axes.plot(*recording.cable_force[turn].T, color=CABLES[0], lw=1.6)
+    axes.plot(*recording.outputs.wanted_force[turn].T, color=INK, ls="--", lw=1.2)
     axes.set(aspect="equal", xlabel="force along x [N]", ylabel="force along y [N]")
-    axes.set_title("The application's force, turned once around")
-    axes.legend(loc="upper right")
+    axes.set_title("The application's force, turned once around (dashed: wanted)")
 
 
 def draw_forces(axes: Axes, recording: Recording) -> None:
@@ -211,9 +207,14 @@ def draw_forces(axes: Axes, recording: Recording) -> None:
     axes.set_ylabel("force [N]")
     axes.margins(y=0.25)
     axes.tick_params(labelbottom=False)
-    axes.legend(loc="lower left", ncols=2, borderaxespad=0.1)
+    legend_above(axes, 2)
     for phase in recording.task.phases:
         shade(axes, phase)
+
+
+def legend_above(axes: Axes, columns: int) -> None:
+    """The legend in one line above the axes, on the right."""
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.99), borderaxespad=0.0, ncols=columns)
 
 
 def shade(axes: Axes, phase: Phase) -> None:
@@ -246,4 +247,4 @@ def draw_tensions(axes: Axes, machine: Machine, recording: Recording) -> None:
     axes.set(xlabel="time [s]", ylabel="tension [N]", title="Cable tensions")
     axes.set_ylim(min(0.0, 1.1 * float(recording.tensions.min())), 1.1 * machine.tension.max)
     axes.set_xlim(0.0, float(recording.time[-1]))
-    axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.72), ncols=len(machine.cables))
+    legend_above(axes, len(machine.cables))
