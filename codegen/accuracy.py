@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from codegen.double_double import DoubleDouble
 from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, Result, double_for, evaluate, extended
-from codegen.ir import Routine
+from codegen.ir import Procedure, Routine
 from codegen.samples import Sampler
 from model.machine import Machine
 
@@ -45,7 +45,7 @@ class Accuracy:
     results: dict[str, dict[str, WorstCase]] = field(default_factory=dict)
 
 
-def measure(machine: Machine, routine: Routine, seed: int = 1) -> Accuracy:
+def measure(machine: Machine, routine: Routine | Procedure, seed: int = 1) -> Accuracy:
     """Search the working domain for the largest errors of a routine."""
     sampler = Sampler(machine, seed, FIRST_POINTS)
     function = routine.function
@@ -61,7 +61,7 @@ def measure(machine: Machine, routine: Routine, seed: int = 1) -> Accuracy:
 class Search:
     """Random search with refinement around the worst points."""
 
-    def __init__(self, routine: Routine, arithmetic: Arithmetic, seed: int) -> None:
+    def __init__(self, routine: Routine | Procedure, arithmetic: Arithmetic, seed: int) -> None:
         self.routine = routine
         self.arithmetic = arithmetic
         self.random = np.random.default_rng(seed)
@@ -82,7 +82,7 @@ class Search:
 
     def representable(self, points: list[Array]) -> list[Array]:
         """Points as the precision can hold them, so that reading them is no error."""
-        return [p.astype(self.arithmetic.number).astype(float) for p in points]
+        return [np.asarray(self.arithmetic.number(p), dtype=float) for p in points]
 
     def near_the_worst(
         self, points: list[Array], errors: Array, spread: list[Array], scale: float
@@ -101,7 +101,7 @@ class Search:
 
     def errors(self, points: list[Array]) -> Array:
         """Error of every output at every point (count, outputs), 0 where the function refuses."""
-        typed = [p.astype(self.arithmetic.number) for p in points]
+        typed = [np.asarray(self.arithmetic.number(p)) for p in points]
         computed = evaluate(self.routine, typed, self.arithmetic)
         exact = self.exact(points)
         usable = accepted(self.routine, computed) & accepted(self.routine, exact)
@@ -132,7 +132,7 @@ class Search:
                 self.worst[output] = WorstCase(float(column[k]), self.worst[output].unit, place)
 
 
-def accepted(routine: Routine, result: Result) -> NDArray[np.bool_]:
+def accepted(routine: Routine | Procedure, result: Result) -> NDArray[np.bool_]:
     """Points at which no fault is reported."""
     fine = np.ones(1, dtype=bool)
     for verdict, holds in zip(routine.function.verdicts, result.verdicts, strict=True):

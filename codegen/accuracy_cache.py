@@ -11,7 +11,7 @@ import numpy as np
 
 from codegen import accuracy, double_double, evaluate, ir, samples
 from codegen.accuracy import Accuracy, WorstCase, measure
-from codegen.ir import Routine
+from codegen.ir import Procedure, Routine, fingerprint
 from model.machine import Machine
 
 #: Where measurements are kept between runs; safe to delete.
@@ -19,7 +19,7 @@ CACHE = Path(__file__).parents[1] / "build" / "accuracy"
 _METHOD = (accuracy, double_double, evaluate, ir, samples)
 
 
-def measured_accuracy(machine: Machine, routines: list[Routine]) -> dict[str, Accuracy]:
+def measured_accuracy(machine: Machine, routines: list[Routine | Procedure]) -> dict[str, Accuracy]:
     """Accuracy of every routine by name, from the cache where it was measured before."""
     method = method_hash()
     result: dict[str, Accuracy] = {}
@@ -39,11 +39,10 @@ def method_hash() -> str:
     return hashlib.sha256((sources + np.__version__).encode()).hexdigest()
 
 
-def key(machine: Machine, routine: Routine, method: str) -> str:
+def key(machine: Machine, routine: Routine | Procedure, method: str) -> str:
     """Identifies one measurement."""
-    nodes = [(n.op.value, n.args, n.value, n.entry) for n in routine.nodes]
     content = machine.model_dump_json(exclude={"path"})
-    text = repr((method, content, routine.function.name, nodes, routine.outputs, routine.verdicts))
+    text = "\n".join((method, content, fingerprint(routine)))
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 

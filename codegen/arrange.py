@@ -72,23 +72,29 @@ class Arrangement:
         )
 
     def groups(self, numbers: set[int]) -> list[Group]:
-        """Branches worth making among `numbers`: disjoint, and possible to order."""
+        """Branches worth making among `numbers`: disjoint, and possible to order.
+
+        A group inside an arm of another waits for that arm's own block; of two that overlap
+        otherwise the earlier one keeps what both could hold.
+        """
         accepted: list[Group] = []
-        taken: set[int] = set()
-        for group in sorted(self.candidates(numbers), key=lambda g: (-len(g.members), g.selects)):
-            if taken & group.members:
-                continue
-            if self.schedule(numbers, [*accepted, group]) is not None:
+        free = set(numbers)
+        refused: set[int] = set()
+        while candidates := self.candidates(free, refused):
+            group = min(outermost(candidates), key=lambda g: g.selects)
+            if self.schedule(numbers, [*accepted, group]) is None:
+                refused.add(group.condition)
+            else:
                 accepted.append(group)
-                taken |= group.members
+                free -= group.members
         return accepted
 
-    def candidates(self, numbers: set[int]) -> list[Group]:
+    def candidates(self, numbers: set[int], refused: set[int]) -> list[Group]:
         """One group for each condition, where the work it saves is worth it."""
         by_condition: dict[int, list[int]] = {}
         for number in sorted(numbers):
             node = self.nodes[number]
-            if node.op is Op.SELECT:
+            if node.op is Op.SELECT and node.args[0] not in refused:
                 by_condition.setdefault(node.args[0], []).append(number)
         groups = [
             Group(
@@ -157,6 +163,15 @@ class Arrangement:
         members = item.members if isinstance(item, Group) else frozenset({item})
         operands = {arg for member in members for arg in self.nodes[member].args}
         return {arg for arg in operands - members if arg in numbers}
+
+
+def outermost(groups: list[Group]) -> list[Group]:
+    """Groups that do not lie in an arm of another."""
+    return [
+        group
+        for group in groups
+        if not any(group.members <= other.yes | other.no for other in groups)
+    ]
 
 
 def arrange(routine: Routine) -> Block:

@@ -52,10 +52,9 @@ class GeneratedFunction:
         self.name, self.inputs, self.outputs, self._real = name, inputs, outputs, real
         self._call = library[f"batch_{name}"]
         self._call.restype = None
-        self._result = namedtuple(  # type: ignore[misc]
-            "".join(part.capitalize() for part in name.split("_")),
-            [*(port.name for port in outputs), "status"],
-        )
+        title = "".join(part.capitalize() for part in name.split("_"))
+        fields = [*(port.name for port in outputs), "status"]
+        self._result: Any = namedtuple(title, fields)  # type: ignore[misc]
         self.__name__ = name
         self.__doc__ = f"{self.signature()}: shapes without the batch axes; see the C header."
 
@@ -85,7 +84,7 @@ class GeneratedFunction:
     def _by_position(
         self, arguments: tuple[ArrayLike, ...], named: dict[str, ArrayLike]
     ) -> list[ArrayLike]:
-        """Arguments in order; those without entries, as the rails of fixed bases, may be left out."""
+        """Arguments in order; those without entries (rails of fixed bases) may be missing."""
         values: dict[str, ArrayLike] = dict(
             zip((port.name for port in self.inputs), arguments, strict=False)
         )

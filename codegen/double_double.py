@@ -77,10 +77,10 @@ class DoubleDouble:
         safe = np.where(root > 0, root, 1.0)
         return _normalised(*two_sum(root, np.where(root > 0, rest.high / (2 * safe), 0.0)))
 
-    def __lt__(self, other: "DoubleDouble") -> NDArray[np.bool_]:
+    def __lt__(self, other: "DoubleDouble") -> Any:
         return (self.high < other.high) | ((self.high == other.high) & (self.low < other.low))
 
-    def __le__(self, other: "DoubleDouble") -> NDArray[np.bool_]:
+    def __le__(self, other: "DoubleDouble") -> Any:
         return (self.high < other.high) | ((self.high == other.high) & (self.low <= other.low))
 
 

@@ -4,7 +4,7 @@ import textwrap
 from dataclasses import dataclass
 
 from codegen.accuracy import Accuracy, WorstCase
-from codegen.ir import Routine, cost
+from codegen.ir import Procedure, Routine, cost
 from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
 from model.symbolic.function import Input, ModelFunction, Output, Status
 
@@ -19,28 +19,57 @@ class CFunction:
     body: str
 
 
-def emit(routine: Routine, accuracy: Accuracy) -> CFunction:
-    """The C of one routine."""
-    function = routine.function
+def emit(item: Routine | Procedure, accuracy: Accuracy) -> CFunction:
+    """The C of one function."""
+    function = item.function
+    lines = retry_body(item) if isinstance(item, Procedure) else body(item)
     return CFunction(
         f"tb_{function.name}",
-        comment(routine, accuracy),
+        comment(item, accuracy),
         prototype(f"tb_{function.name}", function),
-        "\n".join(body(routine)),
+        "\n".join(lines),
     )
 
 
-def emit_alias(name: str, routine: Routine) -> CFunction:
+def retry_body(item: Procedure) -> list[str]:
+    """Attempt; where that fails, substitute an argument and make every attempt with it."""
+    first, second = item.attempts[0].function, item.substitute.function
+    argument, (served,) = first.inputs[item.replaced].name, second.outputs
+    names = argument_names(first)
+    again = ", ".join(served.name if name == argument else name for name in names)
+    asked = ", ".join(argument_names(second))
+    lines = [
+        *wrap(f"    tb_status status = tb_{first.name}({', '.join(names)});", "    "),
+        "    if (status != TB_INACCURATE) {",
+        "        return status;",
+        "    }",
+        f"    real_t {served.name}[{served.size}];",
+        *wrap(f"    const tb_status verdict = tb_{second.name}({asked});", "    "),
+    ]
+    for attempt in item.attempts:
+        lines += [
+            "    if (status == TB_INACCURATE) {",
+            *wrap(f"        status = tb_{attempt.function.name}({again});", "        "),
+            "    }",
+        ]
+    return [*lines, "    return status == TB_OK ? verdict : status;"]
+
+
+def emit_alias(name: str, routine: Routine | Procedure) -> CFunction:
     """A function that is another one under a second name."""
     function = routine.function
-    names = [port.name for port in (*function.inputs, *function.outputs)]
-    call = f"    return tb_{function.name}({', '.join(names)});"
+    call = f"    return tb_{function.name}({', '.join(argument_names(function))});"
     return CFunction(
         f"tb_{name}",
         f"What the machine file chooses for an infeasible wrench: tb_{function.name}.",
         prototype(f"tb_{name}", function),
         "\n".join(wrap(call, "    ")),
     )
+
+
+def argument_names(function: ModelFunction) -> list[str]:
+    """Names of arguments and results in the order of the C function."""
+    return [a.name for a in function.inputs] + [result.name for result in function.outputs]
 
 
 def prototype(name: str, function: ModelFunction) -> str:
@@ -51,7 +80,7 @@ def prototype(name: str, function: ModelFunction) -> str:
     return "\n".join(lines)
 
 
-def comment(routine: Routine, accuracy: Accuracy) -> str:
+def comment(routine: Routine | Procedure, accuracy: Accuracy) -> str:
     """What a user of the function must know: meaning, units, domain, accuracy, cost."""
     function = routine.function
     lines = fill(f"{function.summary}  ({function.source}).", "")
@@ -84,6 +113,8 @@ def domain(function: ModelFunction) -> list[str]:
 
 def span(port: Input) -> str:
     """Bounds of an argument, entry by entry where they differ."""
+    if port.bounds_sum:
+        return f"with a sum of magnitudes of at most {port.high[0]:.6g} {port.unit}"
     bounds = list(dict.fromkeys(zip(port.low, port.high, strict=True)))
     if len(bounds) == 1:
         return f"in [{bounds[0][0]:.6g}, {bounds[0][1]:.6g}] {port.unit}"
@@ -135,25 +166,33 @@ def answer(routine: Routine, printer: Printer) -> list[str]:
     """The last line: fine, or valid but infeasible."""
     for verdict, number in zip(routine.function.verdicts, routine.verdicts, strict=True):
         if not verdict.is_fault:
-            return [
-                f"    return {printer.operand(number).within(0)} ? TB_{verdict.status.name} : TB_OK;"
-            ]
+            condition = printer.operand(number).within(0)
+            return [f"    return {condition} ? TB_{verdict.status.name} : TB_OK;"]
     return ["    return TB_OK;"]
 
 
 def guard(function: ModelFunction) -> list[str]:
     """Refuses arguments outside their bounds; a NaN is never inside."""
-    tests = [
-        f"{port.name}[{entry}] >= {literal(low)} && {port.name}[{entry}] <= {literal(high)}"
-        for port in function.inputs
-        for entry, (low, high) in enumerate(zip(port.low, port.high, strict=True))
-    ]
+    tests = [test for port in function.inputs for test in domain_tests(port)]
     if not tests:
         return []
-    lines = [f"    if (!({tests[0]}"]
-    lines += [f"          && {test}" for test in tests[1:]]
+    lines: list[str] = []
+    for test in tests:
+        lines += wrap(f"          && {test}" if lines else f"    if (!({test}", "          ")
     lines[-1] += ")) {"
     return [*lines, *fallback(Status.OUT_OF_DOMAIN, function), "    }"]
+
+
+def domain_tests(port: Input) -> list[str]:
+    """Tests that hold inside the domain of an argument; they fail for a NaN."""
+    names = [f"{port.name}[{entry}]" for entry in range(port.size)]
+    if port.bounds_sum:
+        magnitudes = " + ".join(f"TB_ABS({name})" for name in names)
+        return [f"{magnitudes} <= {literal(port.high[0])}"]
+    return [
+        f"{name} >= {literal(low)} && {name} <= {literal(high)}"
+        for name, low, high in zip(names, port.low, port.high, strict=True)
+    ]
 
 
 def refusal(condition: str, status: Status, function: ModelFunction) -> list[str]:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from codegen.double_double import DoubleDouble, choose
-from codegen.ir import Node, Op, Routine
+from codegen.ir import Node, Op, Procedure, Routine
+from model.symbolic.function import Status
 
 
 @dataclass(frozen=True)
@@ -44,29 +45,71 @@ class Result:
     verdicts: list[NDArray[np.bool_]]
 
 
-def evaluate(routine: Routine, inputs: list[NDArray[Any]], arithmetic: Arithmetic) -> Result:
+Arguments = list[list[Any]]
+
+
+def evaluate(
+    item: Routine | Procedure, inputs: list[NDArray[Any]], arithmetic: Arithmetic
+) -> Result:
     """Evaluate a batch; `inputs` are (count, size) arrays in the order of the arguments."""
-    needed = sorted(routine.needed())
-    values: dict[int, Any] = {}
+    numbers = [[arithmetic.number(column) for column in argument.T] for argument in inputs]
     with np.errstate(all="ignore"):
-        for number in needed:
-            values[number] = _value(routine.nodes[number], values, inputs, arithmetic)
+        if isinstance(item, Procedure):
+            return _retry(item, numbers, arithmetic)
+        return _run(item, numbers, arithmetic)
+
+
+def _retry(item: Procedure, inputs: Arguments, arithmetic: Arithmetic) -> Result:
+    answer = _run(item.attempts[0], inputs, arithmetic)
+    again = failed(item.attempts[0], answer)
+    second = _run(item.substitute, inputs, arithmetic)
+    infeasible = again & second.verdicts[-1]
+    served = list(inputs)
+    served[item.replaced] = [
+        arithmetic.select(infeasible, new, old)
+        for new, old in zip(second.outputs[0], inputs[item.replaced], strict=True)
+    ]
+    for attempt in item.attempts:
+        result = _run(attempt, served, arithmetic)
+        answer = _blend(again, result, answer, arithmetic)
+        again = again & failed(attempt, result)
+    return Result(answer.outputs, [*answer.verdicts, infeasible])
+
+
+def _blend(chosen: Any, yes: Result, no: Result, arithmetic: Arithmetic) -> Result:
+    """One result where `chosen`, elsewhere the other."""
+    outputs = [
+        [arithmetic.select(chosen, a, b) for a, b in zip(new, old, strict=True)]
+        for new, old in zip(yes.outputs, no.outputs, strict=True)
+    ]
+    verdicts = [np.where(chosen, a, b) for a, b in zip(yes.verdicts, no.verdicts, strict=True)]
+    return Result(outputs, verdicts)
+
+
+def failed(routine: Routine, result: Result) -> NDArray[np.bool_]:
+    """Where a routine reports that its own check failed."""
+    pairs = zip(routine.function.verdicts, result.verdicts, strict=True)
+    return next(holds for verdict, holds in pairs if verdict.status is Status.INACCURATE)
+
+
+def _run(routine: Routine, inputs: Arguments, arithmetic: Arithmetic) -> Result:
+    values: dict[int, Any] = {}
+    for number in sorted(routine.needed()):
+        values[number] = _value(routine.nodes[number], values, inputs, arithmetic)
     return Result(
         [[values[n] for n in group] for group in routine.outputs],
         [np.asarray(values[n], dtype=bool) for n in routine.verdicts],
     )
 
 
-def _value(
-    node: Node, values: dict[int, Any], inputs: list[NDArray[Any]], arithmetic: Arithmetic
-) -> Any:
+def _value(node: Node, values: dict[int, Any], inputs: Arguments, arithmetic: Arithmetic) -> Any:
     if node.op is Op.CONSTANT:
         return arithmetic.number(node.value)
     if node.op is Op.EPSILON:
         return arithmetic.number(arithmetic.epsilon)
     if node.op is Op.INPUT:
         argument, entry = node.entry
-        return arithmetic.number(inputs[argument][:, entry])
+        return inputs[argument][entry]
     args = [values[arg] for arg in node.args]
     if node.op is Op.SELECT:
         return arithmetic.select(_truth(args[0]), args[1], args[2])
@@ -74,9 +117,15 @@ def _value(
         return arithmetic.select(args[0] < args[1], args[0], args[1])
     if node.op is Op.MAX:
         return arithmetic.select(args[1] < args[0], args[0], args[1])
+    if node.op is Op.COPYSIGN:
+        return arithmetic.select(np.signbit(_leading(args[1])), -abs(args[0]), abs(args[0]))
     if node.op is Op.SQRT:
         return arithmetic.root(args[0])
     return _OPERATIONS[node.op](*args)
+
+
+def _leading(value: Any) -> Any:
+    return value.high if isinstance(value, DoubleDouble) else value
 
 
 def _truth(value: Any) -> Any:

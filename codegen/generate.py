@@ -9,21 +9,22 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import casadi as ca
+import casadi
 import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
 from codegen.constants import constants
 from codegen.emit import CFunction, emit, emit_alias
-from codegen.ir import Routine
+from codegen.ir import Procedure, Routine, fingerprint
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
 from model.symbolic.function import Input, Output, Status
-from model.symbolic.topics import TOPICS, model_functions
+from model.symbolic.topics import TOPICS, model_functions, model_procedures
 
 GENERATOR_VERSION = "0.1.0"
+CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -32,16 +33,19 @@ class GenerateError(Exception):
     """The C cannot be written; the text says what stands in the way."""
 
 
+Item = Routine | Procedure
+
+
 @dataclass(frozen=True)
 class Model:
-    """A machine with its routines, by topic."""
+    """A machine with its functions ready to print, by topic."""
 
     machine: Machine
-    topics: dict[str, list[Routine]]
+    topics: dict[str, list[Item]]
 
-    def routines(self) -> list[Routine]:
-        """All routines in order."""
-        return [routine for routines in self.topics.values() for routine in routines]
+    def items(self) -> list[Item]:
+        """All functions in order."""
+        return [item for items in self.topics.values() for item in items]
 
     def aliases(self) -> dict[str, str]:
         """Functions that are another one under a second name."""
@@ -50,21 +54,28 @@ class Model:
 
 def build_model(machine: Machine) -> Model:
     """Lower and simplify every function of the machine."""
-    return Model(
-        machine,
-        {
-            topic: [simplify(lower(function)) for function in functions]
-            for topic, functions in model_functions(machine).items()
-        },
-    )
+    routines = {
+        topic: [simplify(lower(function)) for function in functions]
+        for topic, functions in model_functions(machine).items()
+    }
+    by_name = {r.function.name: r for group in routines.values() for r in group}
+    topics: dict[str, list[Item]] = {topic: [*group] for topic, group in routines.items()}
+    for topic, retries in model_procedures(machine).items():
+        topics[topic] += [
+            Procedure(
+                retry, tuple(by_name[name] for name in retry.attempts), by_name[retry.substitute]
+            )
+            for retry in retries
+        ]
+    return Model(machine, topics)
 
 
 def machine_hash(model: Model) -> str:
     """Identifies machine, model, generator and versions: what a running controller reports."""
     digest = hashlib.sha256()
-    digest.update(f"{GENERATOR_VERSION} {ca.__version__}\n".encode())
+    digest.update(f"{GENERATOR_VERSION} {CASADI_VERSION}\n".encode())
     digest.update(canonical(model.machine).encode())
-    for routine in model.routines():
+    for routine in model.items():
         digest.update(fingerprint(routine).encode())
     return digest.hexdigest()[:16]
 
@@ -73,13 +84,6 @@ def canonical(machine: Machine) -> str:
     """The machine's numbers as text; comments and spelling of units do not count."""
     content = machine.model_dump(mode="json", by_alias=True, exclude={"path"})
     return json.dumps(content, sort_keys=True)
-
-
-def fingerprint(routine: Routine) -> str:
-    """The nodes of a routine as text."""
-    function = routine.function
-    nodes = [f"{n.op.value} {n.args} {n.value!r} {n.entry}" for n in routine.nodes]
-    return "\n".join([function.name, *nodes, repr(routine.outputs), repr(routine.verdicts)])
 
 
 def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
@@ -116,7 +120,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
 
 
 def c_functions(
-    model: Model, routines: list[Routine], accuracies: dict[str, Accuracy]
+    model: Model, routines: list[Item], accuracies: dict[str, Accuracy]
 ) -> list[CFunction]:
     """The C of one topic, with its aliases last."""
     functions = [emit(routine, accuracies[routine.function.name]) for routine in routines]
@@ -132,15 +136,15 @@ def banner(machine: Machine, identity: str) -> str:
     return (
         f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
         f" --out generated/{machine.name}\n"
-        f" * Machine {identity}, generator {GENERATOR_VERSION}, casadi {ca.__version__}."
+        f" * Machine {identity}, generator {GENERATOR_VERSION}, casadi {CASADI_VERSION}."
         " Do not edit. */"
     )
 
 
 def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
-    """What was generated, from what, with the hash of every file and the shape of every function."""
+    """What was generated, from what: the hash of every file, the shape of every function."""
     functions: dict[str, Any] = {}
-    for routine in model.routines():
+    for routine in model.items():
         function = routine.function
         functions[function.name] = {
             "inputs": [port(entry) for entry in function.inputs],
@@ -150,7 +154,7 @@ def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
         "machine": model.machine.name,
         "hash": identity,
         "generator": GENERATOR_VERSION,
-        "casadi": ca.__version__,
+        "casadi": CASADI_VERSION,
         "aliases": model.aliases(),
         "functions": functions,
         "files": {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()},
@@ -166,7 +170,7 @@ def port(entry: Input | Output) -> dict[str, Any]:
 def generate(machine: Machine) -> dict[str, str]:
     """Contents of every generated file of a machine, by name."""
     model = build_model(machine)
-    return render(model, measured_accuracy(model.machine, model.routines()))
+    return render(model, measured_accuracy(model.machine, model.items()))
 
 
 def write(files: dict[str, str], folder: Path) -> None:

@@ -12,6 +12,7 @@ _BINARY = {
     ca.OP_SUB: Op.SUB,
     ca.OP_MUL: Op.MUL,
     ca.OP_DIV: Op.DIV,
+    ca.OP_COPYSIGN: Op.COPYSIGN,
     ca.OP_FMIN: Op.MIN,
     ca.OP_FMAX: Op.MAX,
     ca.OP_LT: Op.LT,

@@ -138,7 +138,7 @@ class Printer:
         names = [self.name(select) for select in branch.selects]
         lines = [f"{indent}/* {self.notes[s]} */" for s in branch.selects if s in self.notes]
         lines += wrap(f"{indent}real_t {', '.join(names)};", indent)
-        for arm, (keyword, block) in enumerate((("if", branch.yes), ("} else", branch.no)), 1):
+        for arm, block in ((1, branch.yes), (2, branch.no)):
             head = f"if ({self.operand(branch.condition).code})" if arm == 1 else "} else"
             lines += wrap(f"{indent}{head} {{", indent)
             lines += self.statements(block, indent + "    ")
@@ -203,6 +203,7 @@ _PREFIX: dict[Op, Callable[..., Text]] = {
     Op.NOT: lambda a: Text(f"!{a.within(_UNARY)}", _UNARY),
     Op.SQRT: lambda a: Text(f"TB_SQRT({a.code})", _ATOM),
     Op.ABS: lambda a: Text(f"TB_ABS({a.code})", _ATOM),
+    Op.COPYSIGN: lambda a, b: Text(f"TB_COPYSIGN({a.code}, {b.code})", _ATOM),
     Op.MIN: lambda a, b: Text(f"tb_min({a.code}, {b.code})", _ATOM),
     Op.MAX: lambda a, b: Text(f"tb_max({a.code}, {b.code})", _ATOM),
     Op.SELECT: _choice,

@@ -42,7 +42,8 @@ class Sampler:
         side = self.random.integers(0, 2, shape).astype(float)
         fraction = np.where(kind < BORDER_SHARE, side, fraction)
         fraction = np.where(kind > 1 - MIDDLE_SHARE, 0.5, fraction)
-        return lows + fraction * (highs - lows)
+        points: Array = lows + fraction * (highs - lows)
+        return points
 
     def rail_bases(self) -> list[RailBase]:
         """The bases that slide."""
@@ -83,7 +84,7 @@ class Sampler:
         return self.box([low] * count, [high] * count)
 
     def wrenches(self) -> Array:
-        """Wrenches: exerted by admissible tensions, scaled to lie inside, on or beyond the border."""
+        """Wrenches of admissible tensions, scaled to lie inside, on or beyond the border."""
         exerted = np.einsum("kdn,kn->kd", self.structure, self.tensions())
         scale = self.random.choice([0.0, 0.5, 1.0, 1.0, 1.5], (self.count, 1))
         anything = self.symmetric(self.machine.dof, 2 * self.machine.tension.max)

@@ -19,6 +19,7 @@ _FOLD: dict[Op, Callable[..., float]] = {
     Op.NEG: lambda a: -a,
     Op.SQRT: math.sqrt,
     Op.ABS: abs,
+    Op.COPYSIGN: math.copysign,
     Op.MIN: min,
     Op.MAX: max,
     Op.LT: lambda a, b: float(a < b),

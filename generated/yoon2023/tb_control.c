@@ -1,13 +1,11 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
 {
-    if (!(tension[0] >= -TB_C(10000.0) && tension[0] <= TB_C(10000.0)
-          && tension[1] >= -TB_C(10000.0) && tension[1] <= TB_C(10000.0)
-          && tension[2] >= -TB_C(10000.0) && tension[2] <= TB_C(10000.0)
-          && tension[3] >= -TB_C(10000.0) && tension[3] <= TB_C(10000.0))) {
+    if (!(TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3]) <=
+              TB_C(40000.0))) {
         torque[0] = TB_C(0.0);
         torque[1] = TB_C(0.0);
         torque[2] = TB_C(0.0);
@@ -29,8 +27,7 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 {
     if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
           && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && velocity[0] >= -TB_C(100.0) && velocity[0] <= TB_C(100.0)
-          && velocity[1] >= -TB_C(100.0) && velocity[1] <= TB_C(100.0))) {
+          && TB_ABS(velocity[0]) + TB_ABS(velocity[1]) <= TB_C(200.0))) {
         force[0] = TB_C(0.0);
         force[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
@@ -49,20 +46,12 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
     hand_force[2], real_t load[4])
 {
-    if (!(structure[0] >= -TB_C(4.0) && structure[0] <= TB_C(4.0)
-          && structure[1] >= -TB_C(4.0) && structure[1] <= TB_C(4.0)
-          && structure[2] >= -TB_C(4.0) && structure[2] <= TB_C(4.0)
-          && structure[3] >= -TB_C(4.0) && structure[3] <= TB_C(4.0)
-          && structure[4] >= -TB_C(4.0) && structure[4] <= TB_C(4.0)
-          && structure[5] >= -TB_C(4.0) && structure[5] <= TB_C(4.0)
-          && structure[6] >= -TB_C(4.0) && structure[6] <= TB_C(4.0)
-          && structure[7] >= -TB_C(4.0) && structure[7] <= TB_C(4.0)
-          && tension[0] >= -TB_C(10000.0) && tension[0] <= TB_C(10000.0)
-          && tension[1] >= -TB_C(10000.0) && tension[1] <= TB_C(10000.0)
-          && tension[2] >= -TB_C(10000.0) && tension[2] <= TB_C(10000.0)
-          && tension[3] >= -TB_C(10000.0) && tension[3] <= TB_C(10000.0)
-          && hand_force[0] >= -TB_C(40000.0) && hand_force[0] <= TB_C(40000.0)
-          && hand_force[1] >= -TB_C(40000.0) && hand_force[1] <= TB_C(40000.0))) {
+    if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
+              TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
+              TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
+          && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
+              <= TB_C(40000.0)
+          && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) <= TB_C(80000.0))) {
         load[0] = TB_C(3.0);
         load[1] = TB_C(3.0);
         load[2] = TB_C(3.0);
@@ -240,14 +229,10 @@ tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4]
           && length[1] >= TB_C(0.0) && length[1] <= TB_C(4.6944)
           && length[2] >= TB_C(0.0) && length[2] <= TB_C(4.6944)
           && length[3] >= TB_C(0.0) && length[3] <= TB_C(4.6944)
-          && load[0] >= -TB_C(10000.0) && load[0] <= TB_C(10000.0)
-          && load[1] >= -TB_C(10000.0) && load[1] <= TB_C(10000.0)
-          && load[2] >= -TB_C(10000.0) && load[2] <= TB_C(10000.0)
-          && load[3] >= -TB_C(10000.0) && load[3] <= TB_C(10000.0)
-          && applied[0] >= -TB_C(50.0) && applied[0] <= TB_C(50.0)
-          && applied[1] >= -TB_C(50.0) && applied[1] <= TB_C(50.0)
-          && applied[2] >= -TB_C(50.0) && applied[2] <= TB_C(50.0)
-          && applied[3] >= -TB_C(50.0) && applied[3] <= TB_C(50.0))) {
+          && TB_ABS(load[0]) + TB_ABS(load[1]) + TB_ABS(load[2]) + TB_ABS(load[3]) <=
+              TB_C(40000.0)
+          && TB_ABS(applied[0]) + TB_ABS(applied[1]) + TB_ABS(applied[2]) + TB_ABS(applied[3])
+              <= TB_C(200.0))) {
         next_memory[0] = TB_C(0.0);
         next_memory[1] = TB_C(0.0);
         next_memory[2] = TB_C(0.0);

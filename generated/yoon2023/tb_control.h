@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -9,7 +9,7 @@
 
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
- *  Domain: tension in [-10000, 10000] N, else TB_OUT_OF_DOMAIN.
+ *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Error of torque: double <= 6.9e-18 N m (worst found 3.5e-18); float <= 6.0e-09 N m (worst
  *    found 3.0e-09).
  *  Cost, all branches: 4 mul. */
@@ -19,7 +19,7 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
  *    27, never attractive).
  *  pose [m] (2), velocity [m/s] (2)  ->  force [N] (2)
  *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: velocity in [-100, 100] m/s, else TB_OUT_OF_DOMAIN.
+ *  Domain: velocity with a sum of magnitudes of at most 200 m/s, else TB_OUT_OF_DOMAIN.
  *  Error of force: double <= 2.3e-13 N (worst found 1.1e-13); float <= 1.5e-04 N (worst found
  *    7.7e-05).
  *  Cost, all branches: 6 add, 4 mul, 2 compare, 4 select. */
@@ -28,9 +28,9 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 /** Tensions nearest the commanded ones that balance the measured force of the hand  (the F_h
  *    path of Yoon Fig. 11).
  *  structure [1] (2 x 4), tension [N] (4), hand_force [N] (2)  ->  load [N] (4)
- *  Domain: structure in [-4, 4] 1, else TB_OUT_OF_DOMAIN.
- *  Domain: tension in [-10000, 10000] N, else TB_OUT_OF_DOMAIN.
- *  Domain: hand_force in [-40000, 40000] N, else TB_OUT_OF_DOMAIN.
+ *  Domain: structure with a sum of magnitudes of at most 32 1, else TB_OUT_OF_DOMAIN.
+ *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
+ *  Domain: hand_force with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables are parallel.
  *  Error of load: double <= 6.2e-12 N (worst found 3.1e-12); float <= 3.1e-02 N (worst found
  *    1.6e-02).
@@ -70,8 +70,8 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *    ->  next_memory [m, rad/s, N m, N m, N m] (4 x 5), disturbance [N m] (4)
  *  Domain: memory in [-1e+06, 1e+06] m, rad/s, N m, N m, N m, else TB_OUT_OF_DOMAIN.
  *  Domain: length in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
- *  Domain: load in [-10000, 10000] N, else TB_OUT_OF_DOMAIN.
- *  Domain: applied in [-50, 50] N m, else TB_OUT_OF_DOMAIN.
+ *  Domain: load with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
+ *  Domain: applied with a sum of magnitudes of at most 200 N m, else TB_OUT_OF_DOMAIN.
  *  Error of next_memory: double <= 1.2e-12 m, rad/s, N m, N m, N m (worst found 5.9e-13); float
  *    <= 6.5e-04 m, rad/s, N m, N m, N m (worst found 3.3e-04).
  *  Error of disturbance: double <= 1.3e-16 N m (worst found 6.3e-17); float <= 7.5e-08 N m

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
@@ -245,14 +245,10 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
           && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
           && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
           && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236)
-          && length_rates[0] >= -TB_C(100.0) && length_rates[0] <= TB_C(100.0)
-          && length_rates[1] >= -TB_C(100.0) && length_rates[1] <= TB_C(100.0)
-          && length_rates[2] >= -TB_C(100.0) && length_rates[2] <= TB_C(100.0)
-          && length_rates[3] >= -TB_C(100.0) && length_rates[3] <= TB_C(100.0)
-          && rail_rates[0] >= -TB_C(100.0) && rail_rates[0] <= TB_C(100.0)
-          && rail_rates[1] >= -TB_C(100.0) && rail_rates[1] <= TB_C(100.0)
-          && rail_rates[2] >= -TB_C(100.0) && rail_rates[2] <= TB_C(100.0)
-          && rail_rates[3] >= -TB_C(100.0) && rail_rates[3] <= TB_C(100.0))) {
+          && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
+              TB_ABS(length_rates[3]) <= TB_C(400.0)
+          && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
+              TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
         velocity[0] = TB_C(0.0);
         velocity[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -66,8 +66,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
  *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
  *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
  *    0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: length_rates in [-100, 100] m/s, else TB_OUT_OF_DOMAIN.
- *  Domain: rail_rates in [-100, 100] m/s, else TB_OUT_OF_DOMAIN.
+ *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
+ *  Domain: rail_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  Error of velocity: double <= 2.2e-12 m/s (worst found 1.1e-12); float <= 4.5e-03 m/s (worst

@@ -1,21 +1,14 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
 {
-    if (!(structure[0] >= -TB_C(4.0) && structure[0] <= TB_C(4.0)
-          && structure[1] >= -TB_C(4.0) && structure[1] <= TB_C(4.0)
-          && structure[2] >= -TB_C(4.0) && structure[2] <= TB_C(4.0)
-          && structure[3] >= -TB_C(4.0) && structure[3] <= TB_C(4.0)
-          && structure[4] >= -TB_C(4.0) && structure[4] <= TB_C(4.0)
-          && structure[5] >= -TB_C(4.0) && structure[5] <= TB_C(4.0)
-          && structure[6] >= -TB_C(4.0) && structure[6] <= TB_C(4.0)
-          && structure[7] >= -TB_C(4.0) && structure[7] <= TB_C(4.0)
-          && tension[0] >= -TB_C(10000.0) && tension[0] <= TB_C(10000.0)
-          && tension[1] >= -TB_C(10000.0) && tension[1] <= TB_C(10000.0)
-          && tension[2] >= -TB_C(10000.0) && tension[2] <= TB_C(10000.0)
-          && tension[3] >= -TB_C(10000.0) && tension[3] <= TB_C(10000.0))) {
+    if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
+              TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
+              TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
+          && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
+              <= TB_C(40000.0))) {
         wrench[0] = TB_C(0.0);
         wrench[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
@@ -38,10 +31,8 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real
           && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
           && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
           && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236)
-          && tension[0] >= -TB_C(10000.0) && tension[0] <= TB_C(10000.0)
-          && tension[1] >= -TB_C(10000.0) && tension[1] <= TB_C(10000.0)
-          && tension[2] >= -TB_C(10000.0) && tension[2] <= TB_C(10000.0)
-          && tension[3] >= -TB_C(10000.0) && tension[3] <= TB_C(10000.0))) {
+          && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
+              <= TB_C(40000.0))) {
         force[0] = TB_C(0.0);
         force[1] = TB_C(0.0);
         force[2] = TB_C(0.0);

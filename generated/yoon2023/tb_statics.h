@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -9,8 +9,8 @@
 
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [1] (2 x 4), tension [N] (4)  ->  wrench [N] (2)
- *  Domain: structure in [-4, 4] 1, else TB_OUT_OF_DOMAIN.
- *  Domain: tension in [-10000, 10000] N, else TB_OUT_OF_DOMAIN.
+ *  Domain: structure with a sum of magnitudes of at most 32 1, else TB_OUT_OF_DOMAIN.
+ *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Error of wrench: double <= 1.3e-14 N (worst found 6.3e-15); float <= 7.1e-06 N (worst found
  *    3.5e-06).
  *  Cost, all branches: 6 add, 8 mul. */
@@ -22,7 +22,7 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
  *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
  *    0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: tension in [-10000, 10000] N, else TB_OUT_OF_DOMAIN.
+ *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  Error of force: double <= 5.4e-15 N (worst found 2.7e-15); float <= 1.5e-04 N (worst found
  *    7.7e-05).

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 41fbf623dcdce700, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 
@@ -15,12 +15,14 @@ typedef float real_t;
 #define TB_C(digits) digits##F
 #define TB_SQRT(x) sqrtf(x)
 #define TB_ABS(x) fabsf(x)
+#define TB_COPYSIGN(x, y) copysignf(x, y)
 #define TB_EPSILON FLT_EPSILON
 #else
 typedef double real_t;
 #define TB_C(digits) digits
 #define TB_SQRT(x) sqrt(x)
 #define TB_ABS(x) fabs(x)
+#define TB_COPYSIGN(x, y) copysign(x, y)
 #define TB_EPSILON DBL_EPSILON
 #endif
 

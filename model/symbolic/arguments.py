@@ -5,7 +5,7 @@ refused, not to say what is sensible for the machine.
 """
 
 from model.machine import Machine, RailBase
-from model.symbolic.function import Input, make_input
+from model.symbolic.function import Input, bounded_input, make_input
 
 #: Commands and measurements may exceed the machine's own limits by this factor.
 HEADROOM = 1000.0
@@ -39,27 +39,27 @@ def lengths(machine: Machine, name: str = "lengths") -> Input:
 
 def speeds(machine: Machine, name: str, count: int) -> Input:
     """Speeds of cables, rails or the platform."""
-    return make_input(name, (count,), "m/s", [-FASTEST], [FASTEST])
+    return bounded_input(name, (count,), "m/s", FASTEST)
 
 
 def structure(machine: Machine) -> Input:
     """Structure matrix S (Yoon eq. 7): unit columns for a point platform."""
-    return make_input("structure", (machine.dof, len(machine.cables)), "1", [-4.0], [4.0])
+    return bounded_input("structure", (machine.dof, len(machine.cables)), "1", 4.0)
 
 
 def tension(machine: Machine, name: str = "tension") -> Input:
     """Cable tensions T_i."""
     bound = HEADROOM * machine.tension.max
-    return make_input(name, (len(machine.cables),), "N", [-bound], [bound])
+    return bounded_input(name, (len(machine.cables),), "N", bound)
 
 
 def wrench(machine: Machine, name: str = "wrench") -> Input:
     """Wrench on the platform."""
     bound = HEADROOM * machine.tension.max * len(machine.cables)
-    return make_input(name, (machine.dof,), "N", [-bound], [bound])
+    return bounded_input(name, (machine.dof,), "N", bound)
 
 
 def torque(machine: Machine, name: str) -> Input:
     """Motor torques."""
     bound = HEADROOM * machine.tension.max * machine.drum.radius
-    return make_input(name, (len(machine.cables),), "N m", [-bound], [bound])
+    return bounded_input(name, (len(machine.cables),), "N m", bound)

@@ -1,7 +1,7 @@
-"""What a function of the model is: named inputs and outputs with shapes and units, and its faults."""
+"""What a function of the model is: inputs and outputs with shapes and units, and its faults."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
 import casadi as ca
@@ -25,7 +25,11 @@ EPSILON = ca.SX.sym("TB_EPSILON")
 
 @dataclass(frozen=True)
 class Input:
-    """An argument: `shape` entries in `unit`, each within [low, high] or the function refuses it."""
+    """An argument: `shape` entries in `unit` that the function refuses outside their bounds.
+
+    Entry k lies within [low, high] of k; where `bounds_sum`, the magnitudes add up to at most
+    high[0] instead: one comparison.
+    """
 
     name: str
     shape: tuple[int, ...]
@@ -33,6 +37,7 @@ class Input:
     low: tuple[float, ...]
     high: tuple[float, ...]
     symbols: ca.SX = field(repr=False)
+    bounds_sum: bool = False
 
     @property
     def size(self) -> int:
@@ -51,7 +56,7 @@ class Input:
 
 @dataclass(frozen=True)
 class Output:
-    """A result: `shape` entries in `unit`; `fallback` stands in for it when the status is a fault."""
+    """A result: `shape` entries in `unit`; `fallback` replaces it when the status is a fault."""
 
     name: str
     shape: tuple[int, ...]
@@ -90,7 +95,7 @@ class Label:
 
 @dataclass(frozen=True)
 class ModelFunction:
-    """One function of the model: what it computes, from where in the papers, and when it refuses."""
+    """One function of the model: what it computes, by which equation, and when it refuses."""
 
     name: str
     summary: str
@@ -106,6 +111,23 @@ class ModelFunction:
         return any(verdict.status is Status.INACCURATE for verdict in self.verdicts)
 
 
+@dataclass(frozen=True)
+class Retry:
+    """Functions that are tried in turn until one does not fail its own check.
+
+    The first of `attempts` is asked first. Where it fails, the function `substitute` says whether
+    the argument `argument` is feasible and what is served in its place; then all attempts are asked
+    with that. The answer is TB_INFEASIBLE where something else was served.
+    """
+
+    name: str
+    summary: str
+    source: str
+    attempts: tuple[str, ...]
+    substitute: str
+    argument: str
+
+
 def make_input(
     name: str, shape: tuple[int, ...], unit: str, low: Sequence[float], high: Sequence[float]
 ) -> Input:
@@ -116,6 +138,13 @@ def make_input(
     lows = tuple(low) * size if len(low) == 1 else tuple(low)
     highs = tuple(high) * size if len(high) == 1 else tuple(high)
     return Input(name, shape, unit, lows[:size], highs[:size], ca.SX.sym(name, size))
+
+
+def bounded_input(name: str, shape: tuple[int, ...], unit: str, most: float) -> Input:
+    """An argument whose magnitudes add up to at most `most` for every entry it has."""
+    entry = make_input(name, shape, unit, [0.0], [0.0])
+    bound = (most * entry.size,) * entry.size
+    return replace(entry, low=tuple(-x for x in bound), high=bound, bounds_sum=True)
 
 
 def vector_output(name: str, unit: str, values: Vector, fallback: float = 0.0) -> Output:

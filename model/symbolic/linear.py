@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt, total, where
+from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt, total
 
 
 def dot(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
@@ -51,7 +51,7 @@ def gram(matrix: Matrix) -> Matrix:
 def solve_positive(matrix: Matrix, right: Sequence[Scalar]) -> tuple[Vector, Scalar]:
     """Solve a symmetric positive definite system by L D L'; returns (solution, smallest pivot)."""
     size = len(right)
-    lower = [[None] * size for _ in range(size)]
+    lower: Matrix = [[ca.SX(0)] * size for _ in range(size)]
     pivots: Vector = []
     for j in range(size):
         pivot = matrix[j][j]
@@ -135,11 +135,11 @@ def factorise(matrix: Matrix) -> Factorisation:
     for k in range(rank):
         tail = columns[k][k:]
         length = norm(tail)
-        diagonal = where(tail[0] >= 0, -length, length)
-        direction = [tail[0] - diagonal, *tail[1:]]
+        reach = ca.copysign(length, tail[0])
+        direction = [tail[0] + reach, *tail[1:]]
         factor = 1 / (length * (length + ca.fabs(tail[0])))
         reflectors.append((direction, factor))
-        triangle[k][k] = diagonal
+        triangle[k][k] = -reach
         for j in range(k + 1, rank):
             projection = factor * dot(direction, columns[j][k:])
             columns[j][k:] = add_scaled(columns[j][k:], -projection, direction)

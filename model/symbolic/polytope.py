@@ -1,7 +1,8 @@
-"""The point nearest the origin that satisfies a list of slabs low_i <= n_i . z <= high_i.
+"""How far tensions must leave their least-norm values T0 to respect their bounds.
 
-With T = T0 + N z, T0 of least norm and N an orthonormal basis of the null space of S, the tension of
-least norm within its bounds is where z is least: a polytope of dimension r = n - d.
+T = T0 + t keeps the wrench when t is in the null space of S, and |T| is least where |t| is: t is
+the point nearest the origin of a polytope of dimension r = n - d, bounded by one slab
+low_i <= t_i <= high_i a cable.
 """
 
 from collections.abc import Sequence
@@ -10,141 +11,144 @@ from dataclasses import dataclass
 import casadi as ca
 
 from model.symbolic.function import EPSILON
-from model.symbolic.linear import cross, dot
-from model.symbolic.scalar import Matrix, Scalar, Vector, largest, sqrt, where
+from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, smallest, where
 
 #: Stands for an interval end that is not there; far beyond any tension, safe in single precision.
 UNBOUNDED = 1e12
+#: Lines whose normals differ by no more than this many EPSILON count as parallel.
+PARALLEL = 16.0
 
 
 @dataclass(frozen=True)
 class Slabs:
-    """low_i <= normals_i . z <= high_i, each met up to `slack`."""
+    """low_i <= t_i <= high_i, each met up to `slack`.
 
-    normals: Matrix
+    The slack keeps slabs that touch, or coincide, from pushing the point along their common line by
+    the ratio of two roundings.
+    """
+
     low: Vector
     high: Vector
     slack: Scalar
 
+    def relaxed(self) -> list[tuple[Scalar, Scalar]]:
+        """The bounds as far as they may be missed."""
+        return [
+            (low - self.slack, high + self.slack)
+            for low, high in zip(self.low, self.high, strict=True)
+        ]
+
 
 @dataclass(frozen=True)
 class Nearest:
-    """The nearest point and by how much it fails the optimality conditions (0 when it does not)."""
+    """The least shift t, and how negative a multiplier of it is (0 at the optimum)."""
 
-    point: Vector
+    shift: Vector
     misfit: Scalar
 
 
-def nearest(slabs: Slabs) -> Nearest:
-    """The point of least norm; the slabs must have a common point up to their slack."""
-    dimension = len(slabs.normals[0])
-    if dimension not in SOLVERS:
-        raise KeyError(dimension)
-    return SOLVERS[dimension](slabs)
+@dataclass(frozen=True)
+class Interval:
+    """All x with low <= x <= high, and the reciprocal of the slope that it came from."""
+
+    low: Scalar
+    high: Scalar
+    inverse: Scalar
 
 
-def nearest_on_line(slabs: Slabs) -> Nearest:
-    """r = 1: the slabs are intervals; optimal by construction."""
-    low, high = ca.SX(-UNBOUNDED), ca.SX(UNBOUNDED)
-    for (slope,), below, above in zip(slabs.normals, slabs.low, slabs.high, strict=True):
-        end_low, end_high = interval(slope, below, above, slabs.slack)
-        low, high = ca.fmax(low, end_low), ca.fmin(high, end_high)
-    return Nearest([ca.fmin(ca.fmax(0, low), high)], ca.SX(0))
-
-
-def interval(slope: Scalar, below: Scalar, above: Scalar, slack: Scalar) -> tuple[Scalar, Scalar]:
-    """All t with below <= slope t <= above.
-
-    Where t = 0 meets the slab up to its slack it is never excluded, so that slabs which touch, or
-    coincide, do not push the point along the line by the ratio of two roundings.
-    """
-    met = ca.logic_and(below <= slack, above >= -slack)
-    flat = ca.fabs(slope) <= EPSILON
+def interval(slope: Scalar, below: Scalar, above: Scalar) -> Interval:
+    """All x with below <= slope x <= above."""
+    flat = ca.fabs(slope) <= PARALLEL * EPSILON
     inverse = 1 / slope
     ends = below * inverse, above * inverse
-    low, high = ca.fmin(*ends), ca.fmax(*ends)
-    return (
-        where(flat, -UNBOUNDED, where(met, ca.fmin(low, 0), low)),
-        where(flat, UNBOUNDED, where(met, ca.fmax(high, 0), high)),
+    return Interval(
+        where(flat, -UNBOUNDED, ca.fmin(*ends)), where(flat, UNBOUNDED, ca.fmax(*ends)), inverse
     )
 
 
 @dataclass(frozen=True)
-class Support:
-    """The oriented normals of the at most two slabs that hold the point where it is."""
+class Line:
+    """A null space of dimension r = 1, spanned by `direction`."""
 
-    first: Vector
-    second: Vector
+    direction: Vector
+
+    def nearest(self, slabs: Slabs) -> Nearest:
+        """The least shift; its multiplier has the right sign by construction."""
+        parts = [
+            interval(slope, *bounds)
+            for slope, bounds in zip(self.direction, slabs.relaxed(), strict=True)
+        ]
+        low, high = largest([part.low for part in parts]), smallest([part.high for part in parts])
+        position = ca.fmin(ca.fmax(0, low), high)
+        return Nearest([position * x for x in self.direction], ca.SX(0))
 
 
-def nearest_in_polygon(slabs: Slabs) -> Nearest:
-    """r = 2: Seidel's incremental scheme, the slabs taken once in their order.
+@dataclass(frozen=True)
+class Plane:
+    """A null space of dimension r = 2, known by the products of the rows n_i of a basis of it.
 
-    A slab that the point so far violates must hold the optimum: it moves onto that slab's line, to
-    the least-norm point that the earlier slabs leave.
+    For an orthonormal basis shares[i][k] is n_i . n_k times `weight`, and slopes[i][k] is n_i x n_k
+    times the square root of `weight`.
     """
-    point: Vector = [ca.SX(0), ca.SX(0)]
-    support = Support([ca.SX(0), ca.SX(0)], [ca.SX(0), ca.SX(0)])
-    for number, normal in enumerate(slabs.normals):
-        level = dot(normal, point)
-        below = level < slabs.low[number] - slabs.slack
-        above = level > slabs.high[number] + slabs.slack
-        moved, held = move_to_line(slabs, number, below)
-        outside = ca.logic_or(below, above)
-        point = [where(outside, new, old) for new, old in zip(moved, point, strict=True)]
-        support = Support(
-            [where(outside, a, b) for a, b in zip(held.first, support.first, strict=True)],
-            [where(outside, a, b) for a, b in zip(held.second, support.second, strict=True)],
-        )
-    return Nearest(point, cone_misfit(point, support))
+
+    shares: Matrix
+    slopes: Matrix
+    weight: Scalar
+
+    def nearest(self, slabs: Slabs) -> Nearest:
+        """The least shift, by Seidel's incremental scheme: every slab is taken once.
+
+        A slab that the point so far violates must hold the optimum: it moves onto that slab's line,
+        to the least-norm point that the earlier slabs leave.
+        """
+        # Without earlier slabs the foot is the least-norm point, violated or not.
+        shift = self.moved(slabs, 0, ca.SX(0)).shift
+        misfit = ca.SX(0)
+        for number in range(1, len(shift)):
+            low, high = slabs.relaxed()[number]
+            level = shift[number]
+            outside = ca.fmax(low - level, level - high) > 0
+            moved = self.moved(slabs, number, level)
+            shift = [where(outside, a, b) for a, b in zip(moved.shift, shift, strict=True)]
+            misfit = where(outside, moved.misfit, misfit)
+        return Nearest(shift, misfit)
+
+    def moved(self, slabs: Slabs, number: int, level: Scalar) -> Nearest:
+        """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
+        side = clamp(level, slabs.low[number], slabs.high[number])
+        # The reciprocal does not wait for the side: half the time to the next comparison.
+        height = side * (1 / self.shares[number][number])
+        position, multiplier = self.slide(slabs, number, height)
+        shift = [
+            share * height + slope * position
+            for share, slope in zip(self.shares[number], self.slopes[number], strict=True)
+        ]
+        shift[number] = side
+        return Nearest(shift, ca.fmax(0, where(level < side, -multiplier, multiplier)))
+
+    def slide(self, slabs: Slabs, number: int, height: Scalar) -> tuple[Scalar, Scalar]:
+        """How far along its line, from its foot, the earlier slabs push the point of a slab.
+
+        Returns (position along the line, multiplier of the slab).
+        """
+        if number == 0:
+            return ca.SX(0), self.weight * height
+        parts: list[tuple[Interval, Scalar]] = []
+        for other, (low, high) in enumerate(slabs.relaxed()[:number]):
+            share, slope = self.shares[number][other], self.slopes[number][other]
+            part = interval(slope, low - share * height, high - share * height)
+            parts.append((part, share * part.inverse))
+        position, tilt = innermost(parts)
+        pushed = ca.fabs(position) > 0
+        return position, self.weight * height - where(pushed, position * tilt, 0)
 
 
-def move_to_line(slabs: Slabs, number: int, below: Scalar) -> tuple[Vector, Support]:
-    """Least-norm point on the violated side of slab `number` within the earlier slabs."""
-    normal = slabs.normals[number]
-    along = [-normal[1], normal[0]]
-    side = where(below, slabs.low[number], slabs.high[number])
-    height = side / dot(normal, normal)
-    low, high = ca.SX(-UNBOUNDED), ca.SX(UNBOUNDED)
-    holds_low: Vector = [ca.SX(0), ca.SX(0)]
-    holds_high: Vector = [ca.SX(0), ca.SX(0)]
-    for other in range(number):
-        earlier = slabs.normals[other]
-        at_foot = dot(earlier, normal) * height
-        slope = dot(earlier, along)
-        end_low, end_high = interval(
-            slope, slabs.low[other] - at_foot, slabs.high[other] - at_foot, slabs.slack
-        )
-        uphill = [where(slope > 0, x, -x) for x in earlier]
-        raises, lowers = end_low > low, end_high < high
-        holds_low = [where(raises, a, b) for a, b in zip(uphill, holds_low, strict=True)]
-        holds_high = [where(lowers, -a, b) for a, b in zip(uphill, holds_high, strict=True)]
-        low, high = where(raises, end_low, low), where(lowers, end_high, high)
+def innermost(parts: Sequence[tuple[Interval, Scalar]]) -> tuple[Scalar, Scalar]:
+    """Point nearest zero of some intervals, and the tilt of the one that holds it there."""
+    (first, tilt), *others = parts
+    low, high, low_tilt, high_tilt = first.low, first.high, tilt, tilt
+    for part, tilt in others:
+        low_tilt, low = where(part.low > low, tilt, low_tilt), ca.fmax(part.low, low)
+        high_tilt, high = where(part.high < high, tilt, high_tilt), ca.fmin(part.high, high)
     position = ca.fmin(ca.fmax(0, low), high)
-    point = [height * n + position * a for n, a in zip(normal, along, strict=True)]
-    second = [
-        where(position > 0, a, where(position < 0, b, 0))
-        for a, b in zip(holds_low, holds_high, strict=True)
-    ]
-    return point, Support([where(below, x, -x) for x in normal], second)
-
-
-def cone_misfit(point: Vector, support: Support) -> Scalar:
-    """Distance of `point` from the cone of the supporting normals: zero at the optimum."""
-    first, second = support.first, support.second
-    turn = cross(first, second)
-    swing = where(turn < 0, -1, 1)
-    beyond_second = -swing * cross(point, second)
-    beyond_first = -swing * cross(first, point)
-    between = largest([distance(beyond_first, first), distance(beyond_second, second)])
-    beside = largest([ca.fabs(cross(point, first)), -dot(point, first)])
-    return where(dot(second, second) <= 0, distance(beside, first), between)
-
-
-def distance(beyond: Scalar, normal: Sequence[Scalar]) -> Scalar:
-    """Distance of a point beyond a line, from its product with the normal; 0 on the near side."""
-    square = dot(normal, normal)
-    return where(ca.logic_and(beyond > 0, square > 0), beyond / sqrt(square), 0)
-
-
-SOLVERS = {1: nearest_on_line, 2: nearest_in_polygon}
+    return position, where(position > 0, low_tilt, high_tilt) if others else low_tilt

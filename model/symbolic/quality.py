@@ -13,7 +13,8 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import dot, factorise, norm, transpose
+from model.symbolic.linear import dot, norm, transpose
+from model.symbolic.null_space import factored
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
@@ -23,7 +24,7 @@ from model.symbolic.scalar import (
     smallest,
     where,
 )
-from model.symbolic.tension import Solution, inaccurate, least_norm_tension, rank_lost
+from model.symbolic.tension import KKT_TOLERANCE, Solution, least_norm_tension, rank_lost, rounding
 from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
 
 
@@ -38,7 +39,9 @@ class Rig:
         self.rays: Matrix = kinematics.directions(vectors, self.lengths)
         self.bounds = machine.tension.min, machine.tension.max
         self.wrench_set: WrenchSet = wrench_set(self.rays, *self.bounds)
-        self.factors = factorise(transpose(self.rays))
+        self.zero = [ca.SX(0)] * machine.dof
+        self.matrix = transpose(self.rays)
+        self.space = factored(self.matrix, self.zero)
 
     @property
     def inputs(self) -> tuple[Input, ...]:
@@ -47,8 +50,7 @@ class Rig:
 
     def at_rest(self) -> Solution:
         """T0, the least-norm tensions that hold the platform without any force on it."""
-        zero = [ca.SX(0)] * self.machine.dof
-        return least_norm_tension(transpose(self.rays), self.factors, zero, *self.bounds)
+        return least_norm_tension(self.matrix, self.zero, self.space, *self.bounds)
 
     def touching(self) -> Verdict:
         """The platform is at a pulley."""
@@ -72,11 +74,9 @@ def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
     rig = Rig(machine)
     rest, outside = rig.at_rest(), rig.outside()
     tension = [where(outside.condition, machine.tension.min, value) for value in rest.tension]
-    checked = Verdict(
-        ca.logic_and(
-            ca.logic_not(outside.condition),
-            inaccurate(machine, rest, ca.SX(machine.tension.max)).condition,
-        ),
+    limit = rounding(KKT_TOLERANCE, rig.zero, rig.space, *rig.bounds)
+    inaccurate = Verdict(
+        ca.logic_not(ca.logic_or(outside.condition, rest.kkt_residual <= limit)),
         Status.INACCURATE,
         "the optimality conditions are missed by more than rounding",
     )
@@ -86,7 +86,7 @@ def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
         "Yoon eq. 12 with W = 0",
         rig.inputs,
         (vector_output("tension", "N", tension, fallback=machine.tension.min),),
-        (rig.touching(), rank_lost(rig.factors), checked, outside),
+        (rig.touching(), rank_lost(rig.space), inaccurate, outside),
         (rig.label(),),
     )
 
@@ -102,7 +102,7 @@ def tension_factor_function(machine: Machine) -> ModelFunction:
         "Yoon eq. 13",
         rig.inputs,
         (scalar_output("factor", "1", where(outside.condition, 0, factor)),),
-        (rig.touching(), rank_lost(rig.factors), outside),
+        (rig.touching(), rank_lost(rig.space), outside),
         (rig.label(), Label("rest", rest.tension, "T0")),
     )
 
@@ -114,7 +114,7 @@ def isotropic_force_function(machine: Machine) -> ModelFunction:
     radius = ca.fmax(0, rig.wrench_set.inner_radius())
     return ModelFunction(
         "isotropic_force",
-        "Isotropic force I_F: the largest force that every direction admits; 0 outside the workspace",
+        "Isotropic force I_F: the largest force in every direction; 0 outside the workspace",
         "Yoon section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it",
         rig.inputs,
         (scalar_output("force", "N", radius),),
@@ -138,11 +138,11 @@ def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
     )
     return ModelFunction(
         "isotropic_force_eq17",
-        "Isotropic force as published: the smallest circle in the parallelograms of adjacent cables",
+        "Isotropic force as published: a circle in the parallelograms of adjacent cables",
         "Yoon eq. 17; a lower bound of the true isotropic force",
         rig.inputs,
         (scalar_output("force", "N", where(outside.condition, 0, radius)),),
-        (rig.touching(), rank_lost(rig.factors), outside),
+        (rig.touching(), rank_lost(rig.space), outside),
         (rig.label(), Label("margin", margins, "t_i = T_max - T0_i")),
     )
 

@@ -1,8 +1,8 @@
 """Scalar operations the model is written in.
 
-The model's formulas take and return plain lists of scalars, so that the same Python function runs on
-CasADi symbols (to generate code) and on SymPy symbols (to prove identities). Only the square root
-needs to know which of the two it got; the SymPy proof registers its own.
+The model's formulas take and return plain lists of scalars, so that the same Python function runs
+on CasADi symbols (to generate code) and on SymPy symbols (to prove identities). Only the square
+root needs to know which of the two it got; the SymPy proof registers its own.
 """
 
 from functools import singledispatch

@@ -16,18 +16,19 @@ from model.symbolic.function import (
     Label,
     ModelFunction,
     Output,
+    Retry,
     Status,
     Verdict,
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import Factorisation, dot, factorise, multiply, transpose
-from model.symbolic.polytope import UNBOUNDED, Slabs, nearest
+from model.symbolic.linear import multiply, transpose
+from model.symbolic.null_space import NullSpace, crossed, factored
+from model.symbolic.polytope import UNBOUNDED, Slabs
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,
-    all_of,
     any_of,
     clamp,
     largest,
@@ -37,9 +38,9 @@ from model.symbolic.scalar import (
 from model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
-SLACK = 16.0
-#: Self-check: the KKT residual may reach this many EPSILON times the tension scale.
-KKT_TOLERANCE = 256.0
+SLACK = 8.0
+#: The KKT residual of a solution reaches at most this many EPSILON times the tension scale.
+KKT_TOLERANCE = 64.0
 #: The structure matrix has lost rank when a pivot of its factorisation is below this many EPSILON.
 RANK_TOLERANCE = 4096.0
 
@@ -54,40 +55,37 @@ class Solution:
 
 
 def least_norm_tension(
-    structure: Matrix,
-    factors: Factorisation,
-    wrench: Vector,
-    low: float,
-    high: float | None,
+    matrix: Matrix, wrench: Vector, space: NullSpace, low: float, high: float | None
 ) -> Solution:
     """The tension of least norm that exerts a feasible wrench; `high` None means unbounded."""
-    start = factors.least_norm(wrench)
-    normals = factors.null_space()
     top = ca.SX(UNBOUNDED) if high is None else ca.SX(high)
-    slack = SLACK * EPSILON * tension_scale(wrench, low, high)
-    slabs = Slabs(normals, [low - x for x in start], [top - x for x in start], slack)
-    best = nearest(slabs)
+    slabs = Slabs(
+        [low - x for x in space.start],
+        [top - x for x in space.start],
+        rounding(SLACK, wrench, space, low, high),
+    )
+    best = space.space.nearest(slabs)
     tension = [
-        clamp(x + dot(normal, best.point), low, top)
-        for x, normal in zip(start, normals, strict=True)
+        clamp(start + shift, low, top) for start, shift in zip(space.start, best.shift, strict=True)
     ]
-    delivered = multiply(structure, tension)
+    delivered = multiply(matrix, tension)
     misses = [ca.fabs(a - b) for a, b in zip(delivered, wrench, strict=True)]
     return Solution(tension, delivered, largest([best.misfit, *misses]))
 
 
-def tension_scale(wrench: Vector, low: float, high: float | None) -> Scalar:
-    """Magnitude that rounding errors of a tension are measured by [N]."""
-    if high is not None:
-        return ca.SX(high)
-    return low + total([ca.fabs(x) for x in wrench])
+def rounding(
+    units: float, wrench: Vector, space: NullSpace, low: float, high: float | None
+) -> Scalar:
+    """So many EPSILON of the tensions at hand, more where S is nearly singular [N]."""
+    scale = high if high is not None else low + total([ca.fabs(x) for x in wrench])
+    return units * EPSILON * scale / space.pivot
 
 
 Policy = Callable[[WrenchSet, Vector], Vector]
 
 
 def scaled(feasible: WrenchSet, wrench: Vector) -> Vector:
-    """Largest feasible fraction of the wrench; the closest one where its whole ray is infeasible."""
+    """Largest feasible fraction of the wrench; the closest one where there is none."""
     low, high = feasible.fraction(wrench)
     missed = ca.logic_or(low > ca.fmin(high, 1), high < 0)
     closest = feasible.closest(wrench)
@@ -102,41 +100,58 @@ def closest(feasible: WrenchSet, wrench: Vector) -> Vector:
     return feasible.closest(wrench)
 
 
-POLICIES: dict[str, Policy] = {"scale": scaled, "closest": closest}
-POLICY_MEANINGS = {
-    "scale": "an infeasible wrench keeps its direction and is scaled down to the largest fraction",
-    "closest": "an infeasible wrench is replaced by the nearest feasible one",
-    "paper": "no upper bound while solving, then clipped to T_max (the wrench is not kept)",
+POLICIES: dict[str, tuple[Policy, str]] = {
+    "scale": (scaled, "keeps its direction and is scaled down to the largest feasible fraction"),
+    "closest": (closest, "is replaced by the nearest feasible one"),
 }
 
 
-def bounded_function(machine: Machine, name: str, policy: str) -> ModelFunction:
-    """Exact bounded distribution; `policy` chooses what stands in for an infeasible wrench."""
+def least_norm_function(
+    machine: Machine, name: str, method: Callable[[Matrix, Vector], NullSpace], remark: str
+) -> ModelFunction:
+    """Exact bounded distribution of a feasible wrench."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     matrix, wanted = structure.rows(), wrench.scalars()
     low, high = machine.tension.min, machine.tension.max
-    feasible = wrench_set(transpose(matrix), low, high)
-    infeasible = ca.logic_not(feasible.contains(wanted))
-    substitute = POLICIES[policy](feasible, wanted)
-    served = [where(infeasible, a, b) for a, b in zip(substitute, wanted, strict=True)]
-    factors = factorise(matrix)
-    solution = least_norm_tension(matrix, factors, served, low, high)
+    space = method(matrix, wanted)
+    solution = least_norm_tension(matrix, wanted, space, low, high)
+    missed = ca.logic_not(
+        solution.kkt_residual <= rounding(KKT_TOLERANCE, wanted, space, low, high)
+    )
     return ModelFunction(
         name,
-        "Tensions of least norm within their bounds; " + POLICY_MEANINGS[policy],
+        f"Tensions of least norm within their bounds that exert a wrench{remark}",
         "Yoon eq. 12",
         (structure, wrench),
         solution_outputs(machine, solution),
         (
-            rank_lost(factors),
-            inaccurate(machine, solution, ca.SX(high)),
-            Verdict(infeasible, Status.INFEASIBLE, "no admissible tension exerts the wrench"),
+            rank_lost(space),
+            Verdict(
+                missed,
+                Status.INACCURATE,
+                "no admissible tension exerts the wrench, or the optimality conditions are missed",
+            ),
         ),
-        (
-            Label("facet", feasible.halves, "facets of the feasible wrenches, half distances"),
-            Label("served", served, "the wrench that is served"),
-            Label("delivered", solution.delivered, "what the tensions exert, S T"),
-        ),
+        solution_labels(space, solution),
+    )
+
+
+def served_wrench_function(machine: Machine, policy: str) -> ModelFunction:
+    """The feasible wrench that a policy puts in place of an infeasible one."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    wanted = wrench.scalars()
+    feasible = wrench_set(transpose(structure.rows()), machine.tension.min, machine.tension.max)
+    inside = feasible.contains(wanted)
+    choose, meaning = POLICIES[policy]
+    served = [where(inside, a, b) for a, b in zip(wanted, choose(feasible, wanted), strict=True)]
+    return ModelFunction(
+        f"served_wrench_{policy}",
+        f"The wrench that is served: an infeasible one {meaning}",
+        "facets of the zonotope {S T}",
+        (structure, wrench),
+        (vector_output("served", "N", served),),
+        (Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it"),),
+        (Label("facet", feasible.halves, "facets of the feasible wrenches, half distances"),),
     )
 
 
@@ -145,46 +160,36 @@ def paper_function(machine: Machine) -> ModelFunction:
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     matrix, wanted = structure.rows(), wrench.scalars()
     low, high = machine.tension.min, machine.tension.max
-    factors = factorise(matrix)
-    unsolvable = outside_cone(transpose(matrix), wanted, low)
-    served = [
-        where(unsolvable, low * total(row), entry)
-        for row, entry in zip(matrix, wanted, strict=True)
-    ]
-    solution = least_norm_tension(matrix, factors, served, low, None)
-    clipped = [ca.fmin(value, high) for value in solution.tension]
+    space = factored(matrix, wanted)
+    solution = least_norm_tension(matrix, wanted, space, low, None)
+    solved = solution.kkt_residual <= rounding(KKT_TOLERANCE, wanted, space, low, None)
+    clipped = [where(solved, ca.fmin(value, high), low) for value in solution.tension]
     exceeds = any_of([value > high for value in solution.tension])
-    answer = Solution(clipped, multiply(matrix, clipped), solution.kkt_residual)
+    answer = Solution(clipped, multiply(matrix, clipped), where(solved, solution.kkt_residual, 0))
     return ModelFunction(
         "distribute_tension_paper",
-        "Tensions of least norm above T_min, then " + POLICY_MEANINGS["paper"],
+        "Tensions of least norm above T_min, then clipped to T_max, which changes the wrench",
         "Yoon eq. 22, 23",
         (structure, wrench),
         solution_outputs(machine, answer),
         (
-            rank_lost(factors),
-            inaccurate(machine, solution, tension_scale(served, low, None)),
+            rank_lost(space),
             Verdict(
-                ca.logic_or(unsolvable, exceeds),
+                ca.logic_or(ca.logic_not(solved), exceeds),
                 Status.INFEASIBLE,
                 "a tension was clipped, or eq. 22 has no solution and every cable holds T_min",
             ),
         ),
+        solution_labels(space, answer),
     )
 
 
-def outside_cone(columns: Matrix, wrench: Vector, low: float) -> Scalar:
-    """Whether no tension above `low`, however large, exerts the wrench: eq. 22 has no solution."""
-    pulls = wrench_set(columns, low, low)
-    rest = [
-        height - centre for height, centre in zip(pulls.heights(wrench), pulls.centres, strict=True)
-    ]
-    cuts = []
-    for number, beyond in enumerate(rest):
-        others = [pulls.crosses[number][j] for j in range(len(columns)) if j != number]
-        cuts.append(ca.logic_and(all_of([x <= 0 for x in others]), beyond > 0))
-        cuts.append(ca.logic_and(all_of([x >= 0 for x in others]), beyond < 0))
-    return any_of(cuts)
+def solution_labels(space: NullSpace, solution: Solution) -> tuple[Label, ...]:
+    """Names for what every distribution computes."""
+    return (
+        Label("start", space.start, "T0, the least-norm tensions that exert the wrench"),
+        Label("delivered", solution.delivered, "what the tensions exert, S T"),
+    )
 
 
 def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]:
@@ -196,28 +201,39 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
     )
 
 
-def rank_lost(factors: Factorisation) -> Verdict:
+def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
     limit = RANK_TOLERANCE * EPSILON
-    return Verdict(
-        ca.logic_not(factors.smallest_pivot() > limit), Status.SINGULAR, "the cables are parallel"
-    )
-
-
-def inaccurate(machine: Machine, solution: Solution, scale: Scalar) -> Verdict:
-    """The self-check of the optimality conditions failed."""
-    limit = KKT_TOLERANCE * len(machine.cables) * EPSILON * scale
-    return Verdict(
-        ca.logic_not(solution.kkt_residual <= limit),
-        Status.INACCURATE,
-        "the optimality conditions are missed by more than rounding",
-    )
+    return Verdict(ca.logic_not(space.pivot > limit), Status.SINGULAR, "the cables are parallel")
 
 
 def functions(machine: Machine) -> list[ModelFunction]:
-    """Everything this topic generates."""
+    """Everything this topic computes in one pass."""
     return [
-        bounded_function(machine, "distribute_tension_scale", "scale"),
-        bounded_function(machine, "distribute_tension_closest", "closest"),
+        *(least_norm_function(machine, *method) for method in methods(machine)),
+        served_wrench_function(machine, "scale"),
+        served_wrench_function(machine, "closest"),
         paper_function(machine),
+    ]
+
+
+def methods(machine: Machine) -> list[tuple[str, Callable[[Matrix, Vector], NullSpace], str]]:
+    """The ways to distribute a feasible wrench that this machine has, the quickest first."""
+    quick = ("least_norm_tension_quick", crossed, ", from cross products alone")
+    always = ("least_norm_tension", factored, "")
+    return [quick, always] if (machine.dof, len(machine.cables)) == (2, 4) else [always]
+
+
+def procedures(machine: Machine) -> list[Retry]:
+    """Distributions that serve another wrench where the wanted one is infeasible."""
+    return [
+        Retry(
+            f"distribute_tension_{policy}",
+            f"Tensions of least norm within their bounds; an infeasible wrench {meaning}",
+            "Yoon eq. 12",
+            tuple(name for name, _, _ in methods(machine)),
+            f"served_wrench_{policy}",
+            argument="wrench",
+        )
+        for policy, (_, meaning) in POLICIES.items()
     ]

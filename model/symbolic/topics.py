@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from model.machine import Machine
 from model.symbolic import control, kinematics, quality, statics, tension
-from model.symbolic.function import ModelFunction
+from model.symbolic.function import ModelFunction, Retry
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematics.functions),
@@ -18,3 +18,8 @@ TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
 def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
     """Every function of the machine's model, by topic."""
     return {topic: build(machine) for topic, (_, build) in TOPICS.items()}
+
+
+def model_procedures(machine: Machine) -> dict[str, list[Retry]]:
+    """Every function that is made of others, by topic."""
+    return {"tension": tension.procedures(machine)}

@@ -1,8 +1,8 @@
 """The wrenches that cables within their bounds can exert: a zonotope, here of planar forces.
 
-Each cable i gives the pair of facets parallel to it. With w = s_i x W the pair reads
-|w - centre_i| <= half_i, where centre_i = s_i x (mean tension on every cable) and
-half_i = half the tension range times sum_j |s_i x s_j|.
+Each cable i gives the pair of facets parallel to it. Seen from the middle V of the set, the wrench
+of the mean tension on every cable, the pair reads |s_i x (W - V)| <= half_i, where half_i is half
+the tension range times sum_j |s_i x s_j|.
 """
 
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.linear import add_scaled, cross, dot
+from model.symbolic.linear import add_scaled, cross, dot, subtract
 from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, clamp, smallest, total, where
 
 #: Larger than any squared distance in the wrench space, N^2; safe in single precision.
@@ -25,44 +25,40 @@ class WrenchSet:
     low: float
     high: float
     crosses: Matrix
-    centres: Vector
+    middle: Vector
     halves: Vector
 
     def heights(self, wrench: Sequence[Scalar]) -> Vector:
-        """w_i = s_i x W, the wrench along the normal of each pair of facets."""
+        """s_i x W: how far a wrench lies along the normal of each pair of facets."""
         return [cross(column, wrench) for column in self.columns]
 
     def contains(self, wrench: Sequence[Scalar]) -> Scalar:
         """Whether the wrench is feasible."""
-        offsets = [a - b for a, b in zip(self.heights(wrench), self.centres, strict=True)]
+        offsets = self.heights(subtract(wrench, self.middle))
         return all_of(
             [ca.fabs(offset) <= half for offset, half in zip(offsets, self.halves, strict=True)]
         )
 
     def contains_zero(self) -> Scalar:
         """Whether the cables can hold the platform without any force on it."""
-        return all_of(
-            [
-                ca.fabs(centre) <= half
-                for centre, half in zip(self.centres, self.halves, strict=True)
-            ]
-        )
+        return self.inner_radius() >= 0
 
     def inner_radius(self) -> Scalar:
         """Largest r such that every force up to r is feasible (the true I_F); negative if none.
 
         The columns must have length 1.
         """
+        centres = self.heights(self.middle)
         return smallest(
-            [half - ca.fabs(centre) for centre, half in zip(self.centres, self.halves, strict=True)]
+            [half - ca.fabs(centre) for centre, half in zip(centres, self.halves, strict=True)]
         )
 
     def fraction(self, wrench: Sequence[Scalar]) -> tuple[Scalar, Scalar]:
-        """Least and largest s such that s W is feasible; the first exceeds the second if none is."""
+        """Least and largest s such that s W is feasible; in the wrong order where none is."""
         lows: Vector = []
         highs: Vector = []
         for height, centre, half in zip(
-            self.heights(wrench), self.centres, self.halves, strict=True
+            self.heights(wrench), self.heights(self.middle), self.halves, strict=True
         ):
             crosses_it = ca.fabs(height) > 0
             inverse = 1 / height
@@ -78,9 +74,8 @@ class WrenchSet:
         """Nearest point of the boundary to a wrench outside the set."""
         best: Vector = [ca.SX(0), ca.SX(0)]
         least = ca.SX(FAR)
-        heights = self.heights(wrench)
-        for number in range(len(self.columns)):
-            offset = heights[number] - self.centres[number]
+        offsets = self.heights(subtract(wrench, self.middle))
+        for number, offset in enumerate(offsets):
             candidate = self.closest_on_edge(number, offset > 0, wrench)
             gap = [a - b for a, b in zip(candidate, wrench, strict=True)]
             distance = where(ca.fabs(offset) > self.halves[number], dot(gap, gap), FAR)
@@ -90,7 +85,7 @@ class WrenchSet:
         return best
 
     def closest_on_edge(self, number: int, upper: Scalar, wrench: Sequence[Scalar]) -> Vector:
-        """Nearest point on the edge along cable `number`, on the upper or lower side of the pair."""
+        """Nearest point on the upper or lower of the two edges along cable `number`."""
         corner: Vector = [ca.SX(0), ca.SX(0)]
         for other, column in enumerate(self.columns):
             if other == number:
@@ -107,14 +102,14 @@ class WrenchSet:
         return add_scaled(corner, tension, edge)
 
     def leans_up(self, number: int, other: int) -> Scalar:
-        """Whether more tension in `other` raises w_number; parallel cables are told apart by order."""
+        """Whether tension in `other` raises s_number x W; order tells parallel cables apart."""
         if number < other:
             return self.crosses[number][other] >= 0
         return self.crosses[number][other] > 0
 
 
 def wrench_set(columns: Matrix, low: float, high: float) -> WrenchSet:
-    """Facets of the feasible wrenches for structure-matrix columns s_i and tensions in [low, high]."""
+    """Facets of the feasible wrenches, for columns s_i and tensions in [low, high]."""
     count = len(columns)
     crosses: Matrix = [[ca.SX(0)] * count for _ in range(count)]
     for i in range(count):
@@ -128,6 +123,6 @@ def wrench_set(columns: Matrix, low: float, high: float) -> WrenchSet:
         low,
         high,
         crosses,
-        [mean * total([crosses[i][j] for j in others[i]]) for i in range(count)],
+        [mean * total(list(row)) for row in zip(*columns, strict=True)],
         [half * total([ca.fabs(crosses[i][j]) for j in others[i]]) for i in range(count)],
     )
