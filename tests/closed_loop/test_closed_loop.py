@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from variants import STOCK
+from variants import committed
 
-from codegen.bind import Generated, load
+from codegen.bind import Generated
 from codegen.controller import UNCOMPENSATED, Controller, Outputs
 from lab.bench import Recording, run_task
 from lab.demo import plan_task, plant_of
@@ -18,7 +18,7 @@ from model.symbolic.function import Status
 @pytest.fixture(scope="module")
 def generated() -> Generated:
     """The stock machine."""
-    return load(STOCK)
+    return committed()
 
 
 @pytest.fixture(scope="module")
@@ -164,7 +164,7 @@ def test_a_recording_replays_to_the_same_bits(generated: Generated, recording: R
 
 
 def test_single_precision_feels_the_same(plant: Plant, summary: Summary) -> None:
-    single = load(STOCK, precision="float")
+    single = committed("float")
     task = plan_task(single)
     found = summarise(single.machine, run_task(single.machine, plant, Controller(single), task))
     assert found.failed == 0

@@ -3,6 +3,7 @@
 import io
 import shutil
 import struct
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -114,12 +115,27 @@ def test_an_observer_that_takes_the_command_for_the_load_would_drift(tmp_path: P
     source, applied = core / "controller.c", "controller->torque[i] * (TB_C(1.0) / TB_DRUM_RADIUS)"
     assert source.read_text().count(applied) == 1
     source.write_text(source.read_text().replace(applied, "outputs->tension[i]"))
-    generated = load(variants.STOCK)
+    generated = variants.committed()
     plant, task = plant_of(generated.machine), plan_task(generated)
     found = run_task(generated.machine, plant, Controller(generated, core), task)
     last = found.during(task.phase("wall top"))
     drift = found.tensions[last].mean(axis=0) - found.outputs.tension[last].mean(axis=0)
     assert np.abs(drift).max() > 0.2 * generated.machine.tension.min
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("precision", [(), ("-DTB_REAL_FLOAT",)], ids=["double", "float"])
+def test_the_core_compiles_without_a_warning_for_a_machine_that_has_little(
+    compiler: str, precision: tuple[str, ...], tmp_path: Path
+) -> None:
+    generated = load(variants.write(variants.fixed("triangle", variants.TRIANGLE), tmp_path))
+    warnings = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
+    includes = [f"-I{RUNTIME_CORE}", f"-I{generated.folder}"]
+    for source in sorted(RUNTIME_CORE.glob("*.c")):
+        command = [compiler, "-std=c11", "-O2", "-fno-math-errno", *warnings, *precision, *includes]
+        target = ["-c", str(source), "-o", str(tmp_path / "object.o")]
+        done = subprocess.run([*command, *target], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize(
@@ -133,7 +149,7 @@ def test_an_observer_that_takes_the_command_for_the_load_would_drift(tmp_path: P
 def test_a_machine_that_is_not_fit_for_the_bench_is_refused_in_one_line(
     key: str, value: Any, message: str, tmp_path: Path
 ) -> None:
-    tables = variants.fixed("unfit", variants.CORNERS)
+    tables = variants.fixed("unfit", variants.TRIANGLE)
     tables["target"] |= {"size": ["20 mm", "20 mm"]}
     if value is None:
         del tables[key]

@@ -5,10 +5,19 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
+from codegen.bind import Generated
+from model.machine import load_machine
+
+ROOT = Path(__file__).parents[2]
+STOCK = ROOT / "machines" / "yoon2023.toml"
 
 CORNERS = [("0 mm", "0 mm"), ("711.8 mm", "0 mm"), ("711.8 mm", "461.8 mm"), ("0 mm", "461.8 mm")]
 TRIANGLE = [("0 mm", "0 mm"), ("711.8 mm", "0 mm"), ("355.9 mm", "461.8 mm")]
+
+
+def committed(precision: str = "double") -> Generated:
+    """The generated C of the stock machine, as it is committed."""
+    return Generated(load_machine(STOCK), ROOT / "generated" / "yoon2023", precision)
 
 
 def stock() -> dict[str, Any]:
