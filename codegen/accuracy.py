@@ -94,7 +94,7 @@ class Search:
         for p, width in zip(points, spread, strict=True):
             noise = self.random.standard_normal((len(chosen), p.shape[1]))
             keep = self.random.random((len(chosen), p.shape[1])) < 0.5
-            low, high = (p.min(axis=0), p.max(axis=0)) if p.size else (p, p)
+            low, high = (p.min(axis=0), p.max(axis=0)) if p.size else (0.0, 0.0)
             candidate = np.clip(p[chosen] + scale * width * noise, low, high)
             moved.append(np.where(keep, p[chosen], candidate))
         return self.representable(moved)
@@ -104,7 +104,7 @@ class Search:
         typed = [np.asarray(self.arithmetic.number(p)) for p in points]
         computed = evaluate(self.routine, typed, self.arithmetic)
         exact = self.exact(points)
-        usable = accepted(self.routine, computed) & accepted(self.routine, exact)
+        usable = accepted(self.routine, computed) & agreed(computed, exact)
         columns = []
         for got, wanted in zip(computed.outputs, exact.outputs, strict=True):
             gap = np.zeros(len(points[0]))
@@ -139,6 +139,14 @@ def accepted(routine: Routine | Procedure, result: Result) -> NDArray[np.bool_]:
         if verdict.is_fault:
             fine = fine & ~holds
     return fine
+
+
+def agreed(computed: Result, exact: Result) -> NDArray[np.bool_]:
+    """Points at which both report the same; where they do not, a border runs through the error."""
+    same = np.ones(1, dtype=bool)
+    for got, wanted in zip(computed.verdicts, exact.verdicts, strict=True):
+        same = same & (got == wanted)
+    return same
 
 
 def difference(computed: Array, exact: Array | DoubleDouble) -> Array:

@@ -1,6 +1,7 @@
 """The generated C as Python functions: NumPy in and out, SI units, batches looped in C."""
 
 import ctypes
+import hashlib
 import json
 from collections import namedtuple
 from collections.abc import Callable, Iterator
@@ -197,9 +198,12 @@ def batch_source(folder: Path, content: dict[str, Any]) -> Path:
 
 
 def generate_into_build(machine: Machine) -> Path:
-    """A generated folder of the machine under build/, for loading and trying."""
-    folder = LIBRARIES.parent / "generated" / machine.name
-    write(generate(machine), folder)
+    """A generated folder of the machine under build/, one for every content, made once."""
+    files = generate(machine)
+    digest = hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()[:16]
+    folder = LIBRARIES.parent / "generated" / f"{machine.name}-{digest}"
+    if not (folder / MANIFEST).exists():
+        write(files, folder)
     return folder
 
 

@@ -9,6 +9,10 @@ from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
 from model.symbolic.function import Input, ModelFunction, Output, Status
 
 
+#: Arguments with more entries than this are not listed where an error is worst.
+LONGEST_PLACE = 8
+
+
 @dataclass(frozen=True)
 class CFunction:
     """One function as the templates need it."""
@@ -95,7 +99,8 @@ def comment(routine: Routine | Procedure, accuracy: Accuracy) -> str:
 def ports(entries: tuple[Input, ...] | tuple[Output, ...]) -> str:
     """Names, units and shapes."""
     return ", ".join(
-        f"{port.name} [{port.unit}] ({' x '.join(map(str, port.shape)) or 'scalar'})"
+        f"{port.name} [{port.unit if port.unit != '1' else '-'}]"
+        f" ({' x '.join(map(str, port.shape)) or 'scalar'})"
         for port in entries
     )
 
@@ -113,18 +118,12 @@ def domain(function: ModelFunction) -> list[str]:
 
 def span(port: Input) -> str:
     """Bounds of an argument, entry by entry where they differ."""
+    unit = "" if port.unit == "1" else f" {port.unit}"
     if port.bounds_sum:
-        return f"with a sum of magnitudes of at most {port.high[0]:.6g} {port.unit}"
-    bounds = list(dict.fromkeys(zip(port.low, port.high, strict=True)))
-    if len(bounds) == 1:
-        return f"in [{bounds[0][0]:.6g}, {bounds[0][1]:.6g}] {port.unit}"
-    return (
-        "in "
-        + " x ".join(
-            f"[{low:.6g}, {high:.6g}]" for low, high in zip(port.low, port.high, strict=True)
-        )
-        + f" {port.unit}"
-    )
+        return f"with a sum of magnitudes of at most {port.high[0]:.6g}{unit}"
+    bounds = [f"[{low:.6g}, {high:.6g}]" for low, high in zip(port.low, port.high, strict=True)]
+    distinct = list(dict.fromkeys(bounds))
+    return f"in {distinct[0] if len(distinct) == 1 else ' x '.join(bounds)}{unit}"
 
 
 def worst(accuracy: Accuracy) -> list[str]:
@@ -137,13 +136,25 @@ def worst(accuracy: Accuracy) -> list[str]:
 
 
 def case_text(precision: str, case: WorstCase) -> str:
-    """The error of one result in one precision."""
-    return f"{precision} <= {case.bound:.1e} {case.unit} (worst found {case.error:.1e})"
+    """The error of one result in one precision, and where it is worst."""
+    unit = "" if case.unit == "1" else f" {case.unit}"
+    bound = f"{precision} at most {case.bound:.1e}{unit}"
+    count = sum(len(values) for _, values in case.place)
+    if not 0 < count <= LONGEST_PLACE:
+        return bound
+    place = ", ".join(
+        f"{name} ({', '.join(f'{value:.4g}' for value in values)})"
+        for name, values in case.place
+        if values
+    )
+    return f"{bound} (worst found {case.error:.1e} at {place})"
 
 
 def fill(text: str, indent: str) -> list[str]:
     """Wrap the text of a comment."""
-    return textwrap.wrap(text, LINE_WIDTH - 4, subsequent_indent=indent + "  ")
+    return textwrap.wrap(
+        text, LINE_WIDTH - 4, subsequent_indent=indent + "  ", break_on_hyphens=False
+    )
 
 
 def body(routine: Routine) -> list[str]:
@@ -164,11 +175,13 @@ def body(routine: Routine) -> list[str]:
 
 def answer(routine: Routine, printer: Printer) -> list[str]:
     """The last line: fine, or valid but infeasible."""
-    for verdict, number in zip(routine.function.verdicts, routine.verdicts, strict=True):
-        if not verdict.is_fault:
-            condition = printer.operand(number).within(0)
-            return [f"    return {condition} ? TB_{verdict.status.name} : TB_OK;"]
-    return ["    return TB_OK;"]
+    pairs = zip(routine.function.verdicts, routine.verdicts, strict=True)
+    flags = [printer.operand(number) for verdict, number in pairs if not verdict.is_fault]
+    if not flags:
+        return ["    return TB_OK;"]
+    condition = " || ".join(flag.within(0) for flag in flags)
+    condition = condition if len(flags) == 1 else f"({condition})"
+    return [f"    return {condition} ? TB_{Status.INFEASIBLE.name} : TB_OK;"]
 
 
 def guard(function: ModelFunction) -> list[str]:
@@ -186,7 +199,7 @@ def guard(function: ModelFunction) -> list[str]:
 def domain_tests(port: Input) -> list[str]:
     """Tests that hold inside the domain of an argument; they fail for a NaN."""
     names = [f"{port.name}[{entry}]" for entry in range(port.size)]
-    if port.bounds_sum:
+    if port.bounds_sum and names:
         magnitudes = " + ".join(f"TB_ABS({name})" for name in names)
         return [f"{magnitudes} <= {literal(port.high[0])}"]
     return [

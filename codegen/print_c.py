@@ -56,6 +56,7 @@ class Printer:
         self.uses: Counter[int] = Counter()
         self.texts: dict[int, Text] = {}
         self.temporaries = 0
+        self.arms: dict[int, list[int]] = {}
         self.find_homes(self.block)
         self.count_uses()
         self.take_labels()
@@ -65,6 +66,7 @@ class Printer:
         for item in block:
             if isinstance(item, Branch):
                 self.home.update(dict.fromkeys(item.selects, id(block)))
+                self.arms[id(item.yes)] = self.arms[id(item.no)] = item.selects
                 self.find_homes(item.yes)
                 self.find_homes(item.no)
             else:
@@ -119,8 +121,8 @@ class Printer:
         return False
 
     def near(self, block: Block) -> list[int]:
-        """Nodes printed at the level of a block."""
-        level: list[int] = []
+        """Nodes printed at the level of a block: its own, and the choices it gives values to."""
+        level = list(self.arms.get(id(block), []))
         for item in block:
             level += item.selects if isinstance(item, Branch) else [item]
         return level

@@ -1,7 +1,7 @@
 """Passes over the intermediate representation.
 
-Every rewrite either keeps the result to the bit or, for shared divisors, replaces a division by a
-product with one reciprocal (at most 1.5 units in the last place instead of 0.5).
+Every rewrite either keeps the result to the bit or replaces a division by the product with a
+reciprocal (at most 1.5 units in the last place instead of 0.5).
 """
 
 import math
@@ -214,14 +214,20 @@ _RULES: dict[Op, Callable[..., int | None]] = {
 }
 
 
-def rebuild(routine: Routine, rewrite: Callable[[Builder, Node, tuple[int, ...]], int]) -> Routine:
+#: Rewrites one node: (builder, node, its operands in the builder, its number) -> new number.
+Rewrite = Callable[[Builder, Node, tuple[int, ...], int], int]
+#: Cycles until the result of an operation can be used, roughly, on today's processors.
+_LATENCY = {Op.ADD: 4, Op.SUB: 4, Op.MUL: 4, Op.DIV: 13, Op.SQRT: 18}
+
+
+def rebuild(routine: Routine, rewrite: Rewrite) -> Routine:
     """A routine whose needed nodes went through `rewrite`, in their order."""
     builder = Builder()
     number: dict[int, int] = {}
     wanted = routine.needed() | {n for label in routine.labels for n in label}
     for old, node in enumerate(routine.nodes):
         if old in wanted and all(arg in number for arg in node.args):
-            number[old] = rewrite(builder, node, tuple(number[arg] for arg in node.args))
+            number[old] = rewrite(builder, node, tuple(number[arg] for arg in node.args), old)
     return replace(
         routine,
         nodes=builder.nodes,
@@ -234,7 +240,7 @@ def rebuild(routine: Routine, rewrite: Callable[[Builder, Node, tuple[int, ...]]
 def share_and_fold(routine: Routine) -> Routine:
     """Common subexpressions once, constants folded, identities removed."""
 
-    def rewrite(builder: Builder, node: Node, args: tuple[int, ...]) -> int:
+    def rewrite(builder: Builder, node: Node, args: tuple[int, ...], _: int) -> int:
         return builder.make(node.op, *args) if args else builder.intern(node)
 
     return rebuild(routine, rewrite)
@@ -250,10 +256,33 @@ def share_divisors(routine: Routine) -> Routine:
     )
     divisors = {number: 0 for number, count in uses.items() if count > 1}
 
-    def rewrite(builder: Builder, node: Node, args: tuple[int, ...]) -> int:
+    def rewrite(builder: Builder, node: Node, args: tuple[int, ...], _: int) -> int:
         if not args:
             return builder.intern(node)
         if node.op is Op.DIV and node.args[1] in divisors:
+            reciprocal = builder.make(Op.DIV, builder.constant(1.0), args[1])
+            return builder.make(Op.MUL, args[0], reciprocal)
+        return builder.make(node.op, *args)
+
+    return rebuild(routine, rewrite)
+
+
+def divide_early(routine: Routine) -> Routine:
+    """A divisor that is known well before its dividend is inverted while that is awaited."""
+    ready: list[int] = []
+    early: set[int] = set()
+    for number, node in enumerate(routine.nodes):
+        wait = max((ready[arg] for arg in node.args), default=0)
+        if node.op is Op.DIV and ready[node.args[0]] - ready[node.args[1]] >= _LATENCY[Op.DIV]:
+            early.add(number)
+            ready.append(wait + _LATENCY[Op.MUL])
+        else:
+            ready.append(wait + _LATENCY.get(node.op, 2))
+
+    def rewrite(builder: Builder, node: Node, args: tuple[int, ...], number: int) -> int:
+        if not args:
+            return builder.intern(node)
+        if number in early:
             reciprocal = builder.make(Op.DIV, builder.constant(1.0), args[1])
             return builder.make(Op.MUL, args[0], reciprocal)
         return builder.make(node.op, *args)
@@ -266,5 +295,5 @@ def simplify(routine: Routine) -> Routine:
     while True:
         simpler = share_divisors(share_and_fold(routine))
         if len(simpler.nodes) == len(routine.nodes):
-            return simpler
+            return share_and_fold(divide_early(simpler))
         routine = simpler

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -10,8 +10,9 @@
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
- *  Error of torque: double <= 6.9e-18 N m (worst found 3.5e-18); float <= 6.0e-09 N m (worst
- *    found 3.0e-09).
+ *  Error of torque: double at most 6.9e-18 N m (worst found 3.5e-18 at tension (7.306, 4.868,
+ *    9.333, 4.658)); float at most 6.0e-09 N m (worst found 3.0e-09 at tension (3, 9.792,
+ *    6.454, 10)).
  *  Cost, all branches: 4 mul. */
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
 
@@ -20,20 +21,20 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
  *  pose [m] (2), velocity [m/s] (2)  ->  force [N] (2)
  *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
  *  Domain: velocity with a sum of magnitudes of at most 200 m/s, else TB_OUT_OF_DOMAIN.
- *  Error of force: double <= 2.3e-13 N (worst found 1.1e-13); float <= 1.5e-04 N (worst found
- *    7.7e-05).
+ *  Error of force: double at most 2.3e-13 N (worst found 1.1e-13 at pose (0.7084, 0.4185),
+ *    velocity (0.1092, -0.3918)); float at most 1.5e-04 N (worst found 7.7e-05 at pose (0.7118,
+ *    0.4519), velocity (0.3397, 0.2066)).
  *  Cost, all branches: 6 add, 4 mul, 2 compare, 4 select. */
 tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t force[2]);
 
 /** Tensions nearest the commanded ones that balance the measured force of the hand  (the F_h
  *    path of Yoon Fig. 11).
- *  structure [1] (2 x 4), tension [N] (4), hand_force [N] (2)  ->  load [N] (4)
- *  Domain: structure with a sum of magnitudes of at most 32 1, else TB_OUT_OF_DOMAIN.
+ *  structure [-] (2 x 4), tension [N] (4), hand_force [N] (2)  ->  load [N] (4)
+ *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Domain: hand_force with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of load: double <= 6.2e-12 N (worst found 3.1e-12); float <= 3.1e-02 N (worst found
- *    1.6e-02).
+ *  Error of load: double at most 6.2e-12 N; float at most 3.1e-02 N.
  *  Cost, all branches: 28 add, 34 mul, 2 div, 1 compare, 1 select. */
 tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
     hand_force[2], real_t load[4]);
@@ -42,8 +43,8 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
  *    section III-B).
  *  pose [m] (2)  ->  target [m] (4)
  *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Error of target: double <= 0.0e+00 m (worst found 0.0e+00); float <= 1.8e-08 m (worst found
- *    9.0e-09).
+ *  Error of target: double at most 0.0e+00 m; float at most 1.8e-08 m (worst found 9.0e-09 at
+ *    pose (0.1364, 0.4618)).
  *  Cost, all branches: 4 select. */
 tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
 
@@ -56,10 +57,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
  *    0.9236] m, else TB_OUT_OF_DOMAIN.
  *  Domain: measured in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
  *    0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Error of next_memory: double <= 1.4e-13 N, m, m/s (worst found 6.9e-14); float <= 7.4e-05 N,
- *    m, m/s (worst found 3.7e-05).
- *  Error of force: double <= 7.1e-13 N (worst found 3.5e-13); float <= 4.4e-04 N (worst found
- *    2.2e-04).
+ *  Error of next_memory: double at most 1.4e-13 N, m, m/s; float at most 7.4e-05 N, m, m/s.
+ *  Error of force: double at most 7.1e-13 N; float at most 4.4e-04 N.
  *  Cost, all branches: 28 add, 20 mul, 16 compare, 12 select. */
 tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
     measured[4], real_t next_memory[12], real_t force[4]);
@@ -72,10 +71,9 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *  Domain: length in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
  *  Domain: load with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Domain: applied with a sum of magnitudes of at most 200 N m, else TB_OUT_OF_DOMAIN.
- *  Error of next_memory: double <= 1.2e-12 m, rad/s, N m, N m, N m (worst found 5.9e-13); float
- *    <= 6.5e-04 m, rad/s, N m, N m, N m (worst found 3.3e-04).
- *  Error of disturbance: double <= 1.3e-16 N m (worst found 6.3e-17); float <= 7.5e-08 N m
- *    (worst found 3.7e-08).
+ *  Error of next_memory: double at most 1.2e-12 m, rad/s, N m, N m, N m; float at most 6.5e-04
+ *    m, rad/s, N m, N m, N m.
+ *  Error of disturbance: double at most 1.3e-16 N m; float at most 7.5e-08 N m.
  *  Cost, all branches: 44 add, 36 mul. */
 tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
     load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
@@ -353,7 +353,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     const real_t t28 = t27 * (t6 * t8 - t1 * t3 + t11 * t13 - t0 * t17);
     const real_t t29 = TB_C(0.5) * (t8 * t22 - t3 * t21 + t13 * t23 + t17 * t24);
     const real_t t30 = t18 + (t14 + (t4 + t9)) - t26 * (t28 * t28);
-    const real_t t31 = (t29 - t25 * t28) / t30;
+    const real_t t31 = (t29 - t25 * t28) * (TB_C(1.0) / t30);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = t0 + (t25 * t27 - t28 * t31);
     const real_t t32 = rails[0] - start_0;

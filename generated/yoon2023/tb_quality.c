@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
@@ -102,7 +102,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     real_t t78, t79, t80, t81, t82;
     if (t66) {
         const real_t t83 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
-        const real_t t84 = t83 / (t54 * t54 + t61 * t61);
+        const real_t t84 = t83 * (TB_C(1.0) / (t54 * t54 + t61 * t61));
         const real_t t85 = t53 * t61 - t54 * t60;
         const bool t86 = TB_ABS(t85) <= t71;
         const real_t t87 = t62 * t84;
@@ -114,217 +114,190 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
         } else {
             const real_t t91 = (t45 - t87) * t88;
             const real_t t92 = t88 * (t65 - t87);
-            const real_t t93 = tb_min(t91, t92);
-            const real_t t94 = tb_max(t91, t92);
-            t89 = t93;
-            t90 = t94;
+            t89 = tb_min(t91, t92);
+            t90 = tb_max(t91, t92);
         }
-        const real_t t95 = tb_min(tb_max(TB_C(0.0), t89), t90);
-        const real_t t96 = t69 * t84 - t70 * t95;
-        const real_t t97 = t84 * t75 - t95 * t76;
-        const real_t t98 = t87 + t85 * t95;
-        const real_t t99 = TB_C(0.0) < TB_ABS(t95) ? t95 * (t62 * t88) : TB_C(0.0);
-        const real_t t100 = tb_max(TB_C(0.0), t64 < t83 ? t99 - t84 : t84 - t99);
-        t78 = t96;
-        t79 = t97;
-        t80 = t98;
+        const real_t t93 = tb_min(tb_max(TB_C(0.0), t89), t90);
+        const real_t t94 = TB_C(0.0) < TB_ABS(t93) ? t93 * (t62 * t88) : TB_C(0.0);
+        const real_t t95 = tb_max(TB_C(0.0), t64 < t83 ? t94 - t84 : t84 - t94);
+        t78 = t69 * t84 - t70 * t93;
+        t79 = t84 * t75 - t93 * t76;
+        t80 = t87 + t85 * t93;
         t81 = t83;
-        t82 = t100;
+        t82 = t95;
     } else {
-        const real_t t101 = t63 * t72;
-        const real_t t102 = t63 * t77;
-        t78 = t101;
-        t79 = t102;
+        t78 = t63 * t72;
+        t79 = t63 * t77;
         t80 = TB_C(3.0);
         t81 = t64;
         t82 = TB_C(0.0);
     }
-    const bool t103 = TB_C(0.0) < tb_max(t45 - t78, t78 - t65);
-    const real_t t104 = t68 * t74 + t67 * t73;
-    const real_t t105 = t68 * t73;
-    const real_t t106 = t67 * t74;
-    real_t t107, t108, t109, t110, t111;
-    if (t103) {
-        const real_t t112 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
-        const real_t t113 = t112 / (t68 * t68 + t67 * t67);
-        const bool t114 = TB_ABS(t70) <= t71;
-        const real_t t115 = t69 * t113;
-        const real_t t116 = TB_C(1.0) / t70;
-        real_t t117, t118;
-        if (t114) {
-            t117 = -TB_C(1000000000000.0);
-            t118 = TB_C(1000000000000.0);
+    const bool t96 = TB_C(0.0) < tb_max(t45 - t78, t78 - t65);
+    const real_t t97 = t68 * t74 + t67 * t73;
+    const real_t t98 = t68 * t73;
+    const real_t t99 = t67 * t74;
+    real_t t100, t101, t102, t103, t104;
+    if (t96) {
+        const real_t t105 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
+        const real_t t106 = t105 * (TB_C(1.0) / (t68 * t68 + t67 * t67));
+        const bool t107 = TB_ABS(t70) <= t71;
+        const real_t t108 = t69 * t106;
+        const real_t t109 = TB_C(1.0) / t70;
+        real_t t110, t111;
+        if (t107) {
+            t110 = -TB_C(1000000000000.0);
+            t111 = TB_C(1000000000000.0);
         } else {
-            const real_t t119 = (t45 - t115) * t116;
-            const real_t t120 = t116 * (t65 - t115);
-            const real_t t121 = tb_min(t119, t120);
-            const real_t t122 = tb_max(t119, t120);
-            t117 = t121;
-            t118 = t122;
+            const real_t t112 = (t45 - t108) * t109;
+            const real_t t113 = t109 * (t65 - t108);
+            t110 = tb_min(t112, t113);
+            t111 = tb_max(t112, t113);
         }
-        const real_t t123 = t60 * t68 + t53 * t67;
-        const bool t124 = TB_ABS(t123) <= t71;
-        const real_t t125 = t72 * t113;
-        const real_t t126 = TB_C(1.0) / t123;
-        real_t t127, t128;
-        if (t124) {
-            t127 = -TB_C(1000000000000.0);
-            t128 = TB_C(1000000000000.0);
+        const real_t t114 = t60 * t68 + t53 * t67;
+        const bool t115 = TB_ABS(t114) <= t71;
+        const real_t t116 = t72 * t106;
+        const real_t t117 = TB_C(1.0) / t114;
+        real_t t118, t119;
+        if (t115) {
+            t118 = -TB_C(1000000000000.0);
+            t119 = TB_C(1000000000000.0);
         } else {
-            const real_t t129 = (t45 - t125) * t126;
-            const real_t t130 = t126 * (t65 - t125);
-            const real_t t131 = tb_min(t129, t130);
-            const real_t t132 = tb_max(t129, t130);
-            t127 = t131;
-            t128 = t132;
+            const real_t t120 = (t45 - t116) * t117;
+            const real_t t121 = t117 * (t65 - t116);
+            t118 = tb_min(t120, t121);
+            t119 = tb_max(t120, t121);
         }
-        const real_t t133 = tb_min(tb_max(TB_C(0.0), tb_max(t117, t127)), tb_min(t118, t128));
-        const real_t t134 = t104 * t113 + (t105 - t106) * t133;
-        const real_t t135 = t125 + t123 * t133;
-        const real_t t136 = t115 + t70 * t133;
-        real_t t137;
-        if (TB_C(0.0) < TB_ABS(t133)) {
-            const real_t t138 = t69 * t116;
-            const real_t t139 = t72 * t126;
-            const real_t t140 = TB_C(0.0) < t133 ? (t127 < t117 ? t138 : t139) : (t118 < t128 ?
-                t138 : t139);
-            const real_t t141 = t133 * t140;
-            t137 = t141;
+        const real_t t122 = tb_min(tb_max(TB_C(0.0), tb_max(t110, t118)), tb_min(t111, t119));
+        real_t t123;
+        if (TB_C(0.0) < TB_ABS(t122)) {
+            const real_t t124 = t69 * t109;
+            const real_t t125 = t72 * t117;
+            const real_t t126 = TB_C(0.0) < t122 ? (t118 < t110 ? t124 : t125) : (t111 < t119 ?
+                t124 : t125);
+            t123 = t122 * t126;
         } else {
-            t137 = TB_C(0.0);
+            t123 = TB_C(0.0);
         }
-        const real_t t142 = tb_max(TB_C(0.0), t78 < t112 ? t137 - t113 : t113 - t137);
-        t107 = t134;
-        t108 = t135;
-        t109 = t136;
-        t110 = t112;
-        t111 = t142;
+        const real_t t127 = tb_max(TB_C(0.0), t78 < t105 ? t123 - t106 : t106 - t123);
+        t100 = t97 * t106 + (t98 - t99) * t122;
+        t101 = t116 + t114 * t122;
+        t102 = t108 + t70 * t122;
+        t103 = t105;
+        t104 = t127;
     } else {
-        t107 = t79;
-        t108 = t80;
-        t109 = t81;
-        t110 = t78;
-        t111 = t82;
+        t100 = t79;
+        t101 = t80;
+        t102 = t81;
+        t103 = t78;
+        t104 = t82;
     }
-    const bool t143 = TB_C(0.0) < tb_max(t45 - t107, t107 - t65);
-    real_t t144, t145, t146, t147, t148;
-    if (t143) {
-        const real_t t149 = tb_min(tb_max(t107, TB_C(3.0)), TB_C(10.0));
-        const real_t t150 = t149 / (t74 * t74 + t73 * t73);
-        const real_t t151 = t77 * t150;
-        const real_t t152 = t60 * t74 + t53 * t73;
-        const real_t t153 = t106 - t105;
-        const bool t154 = TB_ABS(t153) <= t71;
-        const real_t t155 = t104 * t150;
-        const real_t t156 = TB_C(1.0) / t153;
-        real_t t157, t158;
-        if (t154) {
-            t157 = -TB_C(1000000000000.0);
-            t158 = TB_C(1000000000000.0);
+    const bool t128 = TB_C(0.0) < tb_max(t45 - t100, t100 - t65);
+    real_t t129, t130, t131, t132, t133;
+    if (t128) {
+        const real_t t134 = tb_min(tb_max(t100, TB_C(3.0)), TB_C(10.0));
+        const real_t t135 = t134 * (TB_C(1.0) / (t74 * t74 + t73 * t73));
+        const real_t t136 = t77 * t135;
+        const real_t t137 = t60 * t74 + t53 * t73;
+        const real_t t138 = t99 - t98;
+        const bool t139 = TB_ABS(t138) <= t71;
+        const real_t t140 = t97 * t135;
+        const real_t t141 = TB_C(1.0) / t138;
+        real_t t142, t143;
+        if (t139) {
+            t142 = -TB_C(1000000000000.0);
+            t143 = TB_C(1000000000000.0);
         } else {
-            const real_t t159 = (t45 - t155) * t156;
-            const real_t t160 = t156 * (t65 - t155);
-            const real_t t161 = tb_min(t159, t160);
-            const real_t t162 = tb_max(t159, t160);
-            t157 = t161;
-            t158 = t162;
+            const real_t t144 = (t45 - t140) * t141;
+            const real_t t145 = t141 * (t65 - t140);
+            t142 = tb_min(t144, t145);
+            t143 = tb_max(t144, t145);
         }
-        const bool t163 = TB_ABS(t76) <= t71;
-        const real_t t164 = t75 * t150;
-        const real_t t165 = TB_C(1.0) / t76;
-        real_t t166, t167;
-        if (t163) {
-            t166 = -TB_C(1000000000000.0);
-            t167 = TB_C(1000000000000.0);
+        const bool t146 = TB_ABS(t76) <= t71;
+        const real_t t147 = t75 * t135;
+        const real_t t148 = TB_C(1.0) / t76;
+        real_t t149, t150;
+        if (t146) {
+            t149 = -TB_C(1000000000000.0);
+            t150 = TB_C(1000000000000.0);
         } else {
-            const real_t t168 = (t45 - t164) * t165;
-            const real_t t169 = t165 * (t65 - t164);
-            const real_t t170 = tb_min(t168, t169);
-            const real_t t171 = tb_max(t168, t169);
-            t166 = t170;
-            t167 = t171;
+            const real_t t151 = (t45 - t147) * t148;
+            const real_t t152 = t148 * (t65 - t147);
+            t149 = tb_min(t151, t152);
+            t150 = tb_max(t151, t152);
         }
-        const bool t172 = TB_ABS(t152) <= t71;
-        const real_t t173 = TB_C(1.0) / t152;
-        real_t t174, t175;
-        if (t172) {
-            t174 = -TB_C(1000000000000.0);
-            t175 = TB_C(1000000000000.0);
+        const bool t153 = TB_ABS(t137) <= t71;
+        const real_t t154 = TB_C(1.0) / t137;
+        real_t t155, t156;
+        if (t153) {
+            t155 = -TB_C(1000000000000.0);
+            t156 = TB_C(1000000000000.0);
         } else {
-            const real_t t176 = (t45 - t151) * t173;
-            const real_t t177 = t173 * (t65 - t151);
-            const real_t t178 = tb_min(t176, t177);
-            const real_t t179 = tb_max(t176, t177);
-            t174 = t178;
-            t175 = t179;
+            const real_t t157 = (t45 - t136) * t154;
+            const real_t t158 = t154 * (t65 - t136);
+            t155 = tb_min(t157, t158);
+            t156 = tb_max(t157, t158);
         }
-        const real_t t180 = tb_max(t166, t174);
-        const real_t t181 = tb_min(t167, t175);
-        const real_t t182 = tb_min(tb_max(TB_C(0.0), tb_max(t157, t180)), tb_min(t158, t181));
-        const real_t t183 = t151 + t152 * t182;
-        const real_t t184 = t164 + t76 * t182;
-        const real_t t185 = t155 + t153 * t182;
-        real_t t186;
-        if (TB_C(0.0) < TB_ABS(t182)) {
-            const real_t t187 = t104 * t156;
-            const real_t t188 = t75 * t165;
-            const real_t t189 = t77 * t173;
-            real_t t190;
-            if (TB_C(0.0) < t182) {
-                const real_t t191 = t180 < t157 ? t187 : (t174 < t166 ? t188 : t189);
-                t190 = t191;
+        const real_t t159 = tb_max(t149, t155);
+        const real_t t160 = tb_min(t150, t156);
+        const real_t t161 = tb_min(tb_max(TB_C(0.0), tb_max(t142, t159)), tb_min(t143, t160));
+        real_t t162;
+        if (TB_C(0.0) < TB_ABS(t161)) {
+            const real_t t163 = t97 * t141;
+            const real_t t164 = t75 * t148;
+            const real_t t165 = t77 * t154;
+            real_t t166;
+            if (TB_C(0.0) < t161) {
+                t166 = t159 < t142 ? t163 : (t155 < t149 ? t164 : t165);
             } else {
-                const real_t t192 = t158 < t181 ? t187 : (t167 < t175 ? t188 : t189);
-                t190 = t192;
+                t166 = t143 < t160 ? t163 : (t150 < t156 ? t164 : t165);
             }
-            const real_t t193 = t182 * t190;
-            t186 = t193;
+            t162 = t161 * t166;
         } else {
-            t186 = TB_C(0.0);
+            t162 = TB_C(0.0);
         }
-        const real_t t194 = tb_max(TB_C(0.0), t107 < t149 ? t186 - t150 : t150 - t186);
-        t144 = t183;
-        t145 = t184;
-        t146 = t185;
-        t147 = t149;
-        t148 = t194;
+        const real_t t167 = tb_max(TB_C(0.0), t100 < t134 ? t162 - t135 : t135 - t162);
+        t129 = t136 + t137 * t161;
+        t130 = t147 + t76 * t161;
+        t131 = t140 + t138 * t161;
+        t132 = t134;
+        t133 = t167;
     } else {
-        t144 = t108;
-        t145 = t109;
-        t146 = t110;
-        t147 = t107;
-        t148 = t111;
+        t129 = t101;
+        t130 = t102;
+        t131 = t103;
+        t132 = t100;
+        t133 = t104;
     }
-    const real_t t195 = tb_min(tb_max(t144, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_0 = t30 ? t195 : TB_C(3.0);
-    const real_t t196 = tb_min(tb_max(t145, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = t30 ? t196 : TB_C(3.0);
-    const real_t t197 = tb_min(tb_max(t146, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = t30 ? t197 : TB_C(3.0);
-    const real_t t198 = tb_min(tb_max(t147, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = t30 ? t198 : TB_C(3.0);
-    const bool t199 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t200 = t199 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    const bool t201 = !(TB_EPSILON * TB_C(4096.0) < t42);
-    const real_t t202 = TB_ABS(t2 * t195 + t8 * t196 + t14 * t197 - t19 * t198);
-    const real_t t203 = TB_ABS(t6 * t196 - t7 * t195 + t13 * t197 + t18 * t198);
-    const bool t204 = tb_max(tb_max(t148, t202), t203) <= t43 * (TB_EPSILON * TB_C(640.0));
-    const bool t205 = !(t31 || t204);
-    if (t200) {
+    const real_t t168 = tb_min(tb_max(t129, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_0 = t30 ? t168 : TB_C(3.0);
+    const real_t t169 = tb_min(tb_max(t130, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = t30 ? t169 : TB_C(3.0);
+    const real_t t170 = tb_min(tb_max(t131, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = t30 ? t170 : TB_C(3.0);
+    const real_t t171 = tb_min(tb_max(t132, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = t30 ? t171 : TB_C(3.0);
+    const bool t172 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t173 = t172 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    const bool t174 = !(TB_EPSILON * TB_C(4096.0) < t42);
+    const real_t t175 = TB_ABS(t2 * t168 + t8 * t169 + t14 * t170 - t19 * t171);
+    const real_t t176 = TB_ABS(t6 * t169 - t7 * t168 + t13 * t170 + t18 * t171);
+    const bool t177 = tb_max(tb_max(t133, t175), t176) <= t43 * (TB_EPSILON * TB_C(640.0));
+    const bool t178 = !(t31 || t177);
+    if (t173) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
         tension[3] = TB_C(3.0);
         return TB_SINGULAR;
     }
-    if (t201) {
+    if (t174) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
         tension[3] = TB_C(3.0);
         return TB_SINGULAR;
     }
-    if (t205) {
+    if (t178) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -435,7 +408,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
         real_t t76, t77, t78, t79;
         if (t64) {
             const real_t t80 = tb_min(tb_max(t62, TB_C(3.0)), TB_C(10.0));
-            const real_t t81 = t80 / (t52 * t52 + t59 * t59);
+            const real_t t81 = t80 * (TB_C(1.0) / (t52 * t52 + t59 * t59));
             const real_t t82 = t51 * t59 - t52 * t58;
             const bool t83 = TB_ABS(t82) <= t69;
             const real_t t84 = t60 * t81;
@@ -447,174 +420,150 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
                 const real_t t87 = TB_C(1.0) / t82;
                 const real_t t88 = (t43 - t84) * t87;
                 const real_t t89 = t87 * (t63 - t84);
-                const real_t t90 = tb_min(t88, t89);
-                const real_t t91 = tb_max(t88, t89);
-                t85 = t90;
-                t86 = t91;
+                t85 = tb_min(t88, t89);
+                t86 = tb_max(t88, t89);
             }
-            const real_t t92 = tb_min(tb_max(TB_C(0.0), t85), t86);
-            const real_t t93 = t67 * t81 - t68 * t92;
-            const real_t t94 = t81 * t73 - t92 * t74;
-            const real_t t95 = t84 + t82 * t92;
-            t76 = t93;
-            t77 = t94;
-            t78 = t95;
+            const real_t t90 = tb_min(tb_max(TB_C(0.0), t85), t86);
+            t76 = t67 * t81 - t68 * t90;
+            t77 = t81 * t73 - t90 * t74;
+            t78 = t84 + t82 * t90;
             t79 = t80;
         } else {
-            const real_t t96 = t61 * t70;
-            const real_t t97 = t61 * t75;
-            t76 = t96;
-            t77 = t97;
+            t76 = t61 * t70;
+            t77 = t61 * t75;
             t78 = TB_C(3.0);
             t79 = t62;
         }
-        const bool t98 = TB_C(0.0) < tb_max(t43 - t76, t76 - t63);
-        const real_t t99 = t66 * t72 + t65 * t71;
-        const real_t t100 = t66 * t71;
-        const real_t t101 = t65 * t72;
-        real_t t102, t103, t104, t105;
-        if (t98) {
-            const real_t t106 = tb_min(tb_max(t76, TB_C(3.0)), TB_C(10.0));
-            const real_t t107 = t106 / (t66 * t66 + t65 * t65);
-            const bool t108 = TB_ABS(t68) <= t69;
-            const real_t t109 = t67 * t107;
-            real_t t110, t111;
-            if (t108) {
-                t110 = -TB_C(1000000000000.0);
-                t111 = TB_C(1000000000000.0);
+        const bool t91 = TB_C(0.0) < tb_max(t43 - t76, t76 - t63);
+        const real_t t92 = t66 * t72 + t65 * t71;
+        const real_t t93 = t66 * t71;
+        const real_t t94 = t65 * t72;
+        real_t t95, t96, t97, t98;
+        if (t91) {
+            const real_t t99 = tb_min(tb_max(t76, TB_C(3.0)), TB_C(10.0));
+            const real_t t100 = t99 * (TB_C(1.0) / (t66 * t66 + t65 * t65));
+            const bool t101 = TB_ABS(t68) <= t69;
+            const real_t t102 = t67 * t100;
+            real_t t103, t104;
+            if (t101) {
+                t103 = -TB_C(1000000000000.0);
+                t104 = TB_C(1000000000000.0);
             } else {
-                const real_t t112 = TB_C(1.0) / t68;
-                const real_t t113 = (t43 - t109) * t112;
-                const real_t t114 = t112 * (t63 - t109);
-                const real_t t115 = tb_min(t113, t114);
-                const real_t t116 = tb_max(t113, t114);
-                t110 = t115;
-                t111 = t116;
+                const real_t t105 = TB_C(1.0) / t68;
+                const real_t t106 = (t43 - t102) * t105;
+                const real_t t107 = t105 * (t63 - t102);
+                t103 = tb_min(t106, t107);
+                t104 = tb_max(t106, t107);
             }
-            const real_t t117 = t58 * t66 + t51 * t65;
-            const bool t118 = TB_ABS(t117) <= t69;
-            const real_t t119 = t70 * t107;
-            real_t t120, t121;
-            if (t118) {
-                t120 = -TB_C(1000000000000.0);
-                t121 = TB_C(1000000000000.0);
+            const real_t t108 = t58 * t66 + t51 * t65;
+            const bool t109 = TB_ABS(t108) <= t69;
+            const real_t t110 = t70 * t100;
+            real_t t111, t112;
+            if (t109) {
+                t111 = -TB_C(1000000000000.0);
+                t112 = TB_C(1000000000000.0);
             } else {
-                const real_t t122 = TB_C(1.0) / t117;
-                const real_t t123 = (t43 - t119) * t122;
-                const real_t t124 = t122 * (t63 - t119);
-                const real_t t125 = tb_min(t123, t124);
-                const real_t t126 = tb_max(t123, t124);
-                t120 = t125;
-                t121 = t126;
+                const real_t t113 = TB_C(1.0) / t108;
+                const real_t t114 = (t43 - t110) * t113;
+                const real_t t115 = t113 * (t63 - t110);
+                t111 = tb_min(t114, t115);
+                t112 = tb_max(t114, t115);
             }
-            const real_t t127 = tb_min(tb_max(TB_C(0.0), tb_max(t110, t120)), tb_min(t111,
-                t121));
-            const real_t t128 = t99 * t107 + (t100 - t101) * t127;
-            const real_t t129 = t119 + t117 * t127;
-            const real_t t130 = t109 + t68 * t127;
-            t102 = t128;
-            t103 = t129;
-            t104 = t130;
-            t105 = t106;
+            const real_t t116 = tb_min(tb_max(TB_C(0.0), tb_max(t103, t111)), tb_min(t104,
+                t112));
+            t95 = t92 * t100 + (t93 - t94) * t116;
+            t96 = t110 + t108 * t116;
+            t97 = t102 + t68 * t116;
+            t98 = t99;
         } else {
-            t102 = t77;
-            t103 = t78;
-            t104 = t79;
-            t105 = t76;
+            t95 = t77;
+            t96 = t78;
+            t97 = t79;
+            t98 = t76;
         }
-        const bool t131 = TB_C(0.0) < tb_max(t43 - t102, t102 - t63);
-        real_t t132, t133, t134, t135;
-        if (t131) {
-            const real_t t136 = tb_min(tb_max(t102, TB_C(3.0)), TB_C(10.0));
-            const real_t t137 = t136 / (t72 * t72 + t71 * t71);
-            const real_t t138 = t75 * t137;
-            const real_t t139 = t58 * t72 + t51 * t71;
-            const real_t t140 = t101 - t100;
-            const bool t141 = TB_ABS(t140) <= t69;
-            const real_t t142 = t99 * t137;
-            real_t t143, t144;
+        const bool t117 = TB_C(0.0) < tb_max(t43 - t95, t95 - t63);
+        real_t t118, t119, t120, t121;
+        if (t117) {
+            const real_t t122 = tb_min(tb_max(t95, TB_C(3.0)), TB_C(10.0));
+            const real_t t123 = t122 * (TB_C(1.0) / (t72 * t72 + t71 * t71));
+            const real_t t124 = t75 * t123;
+            const real_t t125 = t58 * t72 + t51 * t71;
+            const real_t t126 = t94 - t93;
+            const bool t127 = TB_ABS(t126) <= t69;
+            const real_t t128 = t92 * t123;
+            real_t t129, t130;
+            if (t127) {
+                t129 = -TB_C(1000000000000.0);
+                t130 = TB_C(1000000000000.0);
+            } else {
+                const real_t t131 = TB_C(1.0) / t126;
+                const real_t t132 = (t43 - t128) * t131;
+                const real_t t133 = t131 * (t63 - t128);
+                t129 = tb_min(t132, t133);
+                t130 = tb_max(t132, t133);
+            }
+            const bool t134 = TB_ABS(t74) <= t69;
+            const real_t t135 = t73 * t123;
+            real_t t136, t137;
+            if (t134) {
+                t136 = -TB_C(1000000000000.0);
+                t137 = TB_C(1000000000000.0);
+            } else {
+                const real_t t138 = TB_C(1.0) / t74;
+                const real_t t139 = (t43 - t135) * t138;
+                const real_t t140 = t138 * (t63 - t135);
+                t136 = tb_min(t139, t140);
+                t137 = tb_max(t139, t140);
+            }
+            const bool t141 = TB_ABS(t125) <= t69;
+            real_t t142, t143;
             if (t141) {
-                t143 = -TB_C(1000000000000.0);
-                t144 = TB_C(1000000000000.0);
+                t142 = -TB_C(1000000000000.0);
+                t143 = TB_C(1000000000000.0);
             } else {
-                const real_t t145 = TB_C(1.0) / t140;
-                const real_t t146 = (t43 - t142) * t145;
-                const real_t t147 = t145 * (t63 - t142);
-                const real_t t148 = tb_min(t146, t147);
-                const real_t t149 = tb_max(t146, t147);
-                t143 = t148;
-                t144 = t149;
+                const real_t t144 = TB_C(1.0) / t125;
+                const real_t t145 = (t43 - t124) * t144;
+                const real_t t146 = t144 * (t63 - t124);
+                t142 = tb_min(t145, t146);
+                t143 = tb_max(t145, t146);
             }
-            const bool t150 = TB_ABS(t74) <= t69;
-            const real_t t151 = t73 * t137;
-            real_t t152, t153;
-            if (t150) {
-                t152 = -TB_C(1000000000000.0);
-                t153 = TB_C(1000000000000.0);
-            } else {
-                const real_t t154 = TB_C(1.0) / t74;
-                const real_t t155 = (t43 - t151) * t154;
-                const real_t t156 = t154 * (t63 - t151);
-                const real_t t157 = tb_min(t155, t156);
-                const real_t t158 = tb_max(t155, t156);
-                t152 = t157;
-                t153 = t158;
-            }
-            const bool t159 = TB_ABS(t139) <= t69;
-            real_t t160, t161;
-            if (t159) {
-                t160 = -TB_C(1000000000000.0);
-                t161 = TB_C(1000000000000.0);
-            } else {
-                const real_t t162 = TB_C(1.0) / t139;
-                const real_t t163 = (t43 - t138) * t162;
-                const real_t t164 = t162 * (t63 - t138);
-                const real_t t165 = tb_min(t163, t164);
-                const real_t t166 = tb_max(t163, t164);
-                t160 = t165;
-                t161 = t166;
-            }
-            const real_t t167 = tb_max(TB_C(0.0), tb_max(t143, tb_max(t152, t160)));
-            const real_t t168 = tb_min(t167, tb_min(t144, tb_min(t153, t161)));
-            const real_t t169 = t138 + t139 * t168;
-            const real_t t170 = t151 + t74 * t168;
-            const real_t t171 = t142 + t140 * t168;
-            t132 = t169;
-            t133 = t170;
-            t134 = t171;
-            t135 = t136;
+            const real_t t147 = tb_max(TB_C(0.0), tb_max(t129, tb_max(t136, t142)));
+            const real_t t148 = tb_min(t147, tb_min(t130, tb_min(t137, t143)));
+            t118 = t124 + t125 * t148;
+            t119 = t135 + t74 * t148;
+            t120 = t128 + t126 * t148;
+            t121 = t122;
         } else {
-            t132 = t103;
-            t133 = t104;
-            t134 = t105;
-            t135 = t102;
+            t118 = t96;
+            t119 = t97;
+            t120 = t98;
+            t121 = t95;
         }
         /* T0 */
-        const real_t rest_0 = tb_min(tb_max(t132, TB_C(3.0)), TB_C(10.0));
-        const real_t rest_1 = tb_min(tb_max(t133, TB_C(3.0)), TB_C(10.0));
-        const real_t rest_2 = tb_min(tb_max(t134, TB_C(3.0)), TB_C(10.0));
-        const real_t rest_3 = tb_min(tb_max(t135, TB_C(3.0)), TB_C(10.0));
-        const real_t t172 = tb_min(tb_min(tb_min(rest_0, rest_1), rest_2), rest_3);
-        const real_t t173 = tb_max(tb_max(tb_max(rest_0, rest_1), rest_2), rest_3);
-        const real_t t174 = t172 / t173;
-        factor_0 = t174;
+        const real_t rest_0 = tb_min(tb_max(t118, TB_C(3.0)), TB_C(10.0));
+        const real_t rest_1 = tb_min(tb_max(t119, TB_C(3.0)), TB_C(10.0));
+        const real_t rest_2 = tb_min(tb_max(t120, TB_C(3.0)), TB_C(10.0));
+        const real_t rest_3 = tb_min(tb_max(t121, TB_C(3.0)), TB_C(10.0));
+        const real_t t149 = tb_min(tb_min(tb_min(rest_0, rest_1), rest_2), rest_3);
+        const real_t t150 = tb_max(tb_max(tb_max(rest_0, rest_1), rest_2), rest_3);
+        factor_0 = t149 / t150;
     } else {
         factor_0 = TB_C(0.0);
     }
-    const bool t175 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t176 = t175 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    const bool t177 = !(TB_EPSILON * TB_C(4096.0) < t41);
-    const bool t178 = !t30;
-    if (t176) {
+    const bool t151 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t152 = t151 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    const bool t153 = !(TB_EPSILON * TB_C(4096.0) < t41);
+    const bool t154 = !t30;
+    if (t152) {
         factor[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t177) {
+    if (t153) {
         factor[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
     factor[0] = factor_0;
-    return t178 ? TB_INFEASIBLE : TB_OK;
+    return t154 ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t force[1])
@@ -792,7 +741,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
         real_t t95, t96, t97, t98;
         if (t83) {
             const real_t t99 = tb_min(tb_max(t81, TB_C(3.0)), TB_C(10.0));
-            const real_t t100 = t99 / (t71 * t71 + t78 * t78);
+            const real_t t100 = t99 * (TB_C(1.0) / (t71 * t71 + t78 * t78));
             const real_t t101 = t70 * t78 - t71 * t77;
             const bool t102 = TB_ABS(t101) <= t88;
             const real_t t103 = t79 * t100;
@@ -804,234 +753,210 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
                 const real_t t106 = TB_C(1.0) / t101;
                 const real_t t107 = (t62 - t103) * t106;
                 const real_t t108 = t106 * (t82 - t103);
-                const real_t t109 = tb_min(t107, t108);
-                const real_t t110 = tb_max(t107, t108);
-                t104 = t109;
-                t105 = t110;
+                t104 = tb_min(t107, t108);
+                t105 = tb_max(t107, t108);
             }
-            const real_t t111 = tb_min(tb_max(TB_C(0.0), t104), t105);
-            const real_t t112 = t86 * t100 - t87 * t111;
-            const real_t t113 = t100 * t92 - t111 * t93;
-            const real_t t114 = t103 + t101 * t111;
-            t95 = t112;
-            t96 = t113;
-            t97 = t114;
+            const real_t t109 = tb_min(tb_max(TB_C(0.0), t104), t105);
+            t95 = t86 * t100 - t87 * t109;
+            t96 = t100 * t92 - t109 * t93;
+            t97 = t103 + t101 * t109;
             t98 = t99;
         } else {
-            const real_t t115 = t80 * t89;
-            const real_t t116 = t80 * t94;
-            t95 = t115;
-            t96 = t116;
+            t95 = t80 * t89;
+            t96 = t80 * t94;
             t97 = TB_C(3.0);
             t98 = t81;
         }
-        const bool t117 = TB_C(0.0) < tb_max(t62 - t95, t95 - t82);
-        const real_t t118 = t85 * t91 + t84 * t90;
-        const real_t t119 = t85 * t90;
-        const real_t t120 = t84 * t91;
-        real_t t121, t122, t123, t124;
-        if (t117) {
-            const real_t t125 = tb_min(tb_max(t95, TB_C(3.0)), TB_C(10.0));
-            const real_t t126 = t125 / (t85 * t85 + t84 * t84);
-            const bool t127 = TB_ABS(t87) <= t88;
-            const real_t t128 = t86 * t126;
-            real_t t129, t130;
-            if (t127) {
-                t129 = -TB_C(1000000000000.0);
-                t130 = TB_C(1000000000000.0);
+        const bool t110 = TB_C(0.0) < tb_max(t62 - t95, t95 - t82);
+        const real_t t111 = t85 * t91 + t84 * t90;
+        const real_t t112 = t85 * t90;
+        const real_t t113 = t84 * t91;
+        real_t t114, t115, t116, t117;
+        if (t110) {
+            const real_t t118 = tb_min(tb_max(t95, TB_C(3.0)), TB_C(10.0));
+            const real_t t119 = t118 * (TB_C(1.0) / (t85 * t85 + t84 * t84));
+            const bool t120 = TB_ABS(t87) <= t88;
+            const real_t t121 = t86 * t119;
+            real_t t122, t123;
+            if (t120) {
+                t122 = -TB_C(1000000000000.0);
+                t123 = TB_C(1000000000000.0);
             } else {
-                const real_t t131 = TB_C(1.0) / t87;
-                const real_t t132 = (t62 - t128) * t131;
-                const real_t t133 = t131 * (t82 - t128);
-                const real_t t134 = tb_min(t132, t133);
-                const real_t t135 = tb_max(t132, t133);
-                t129 = t134;
-                t130 = t135;
+                const real_t t124 = TB_C(1.0) / t87;
+                const real_t t125 = (t62 - t121) * t124;
+                const real_t t126 = t124 * (t82 - t121);
+                t122 = tb_min(t125, t126);
+                t123 = tb_max(t125, t126);
             }
-            const real_t t136 = t77 * t85 + t70 * t84;
-            const bool t137 = TB_ABS(t136) <= t88;
-            const real_t t138 = t89 * t126;
-            real_t t139, t140;
-            if (t137) {
-                t139 = -TB_C(1000000000000.0);
-                t140 = TB_C(1000000000000.0);
+            const real_t t127 = t77 * t85 + t70 * t84;
+            const bool t128 = TB_ABS(t127) <= t88;
+            const real_t t129 = t89 * t119;
+            real_t t130, t131;
+            if (t128) {
+                t130 = -TB_C(1000000000000.0);
+                t131 = TB_C(1000000000000.0);
             } else {
-                const real_t t141 = TB_C(1.0) / t136;
-                const real_t t142 = (t62 - t138) * t141;
-                const real_t t143 = t141 * (t82 - t138);
-                const real_t t144 = tb_min(t142, t143);
-                const real_t t145 = tb_max(t142, t143);
-                t139 = t144;
-                t140 = t145;
+                const real_t t132 = TB_C(1.0) / t127;
+                const real_t t133 = (t62 - t129) * t132;
+                const real_t t134 = t132 * (t82 - t129);
+                t130 = tb_min(t133, t134);
+                t131 = tb_max(t133, t134);
             }
-            const real_t t146 = tb_min(tb_max(TB_C(0.0), tb_max(t129, t139)), tb_min(t130,
-                t140));
-            const real_t t147 = t118 * t126 + (t119 - t120) * t146;
-            const real_t t148 = t138 + t136 * t146;
-            const real_t t149 = t128 + t87 * t146;
-            t121 = t147;
-            t122 = t148;
-            t123 = t149;
-            t124 = t125;
+            const real_t t135 = tb_min(tb_max(TB_C(0.0), tb_max(t122, t130)), tb_min(t123,
+                t131));
+            t114 = t111 * t119 + (t112 - t113) * t135;
+            t115 = t129 + t127 * t135;
+            t116 = t121 + t87 * t135;
+            t117 = t118;
         } else {
-            t121 = t96;
-            t122 = t97;
-            t123 = t98;
-            t124 = t95;
+            t114 = t96;
+            t115 = t97;
+            t116 = t98;
+            t117 = t95;
         }
-        const bool t150 = TB_C(0.0) < tb_max(t62 - t121, t121 - t82);
-        real_t t151, t152, t153, t154;
-        if (t150) {
-            const real_t t155 = tb_min(tb_max(t121, TB_C(3.0)), TB_C(10.0));
-            const real_t t156 = t155 / (t91 * t91 + t90 * t90);
-            const real_t t157 = t94 * t156;
-            const real_t t158 = t77 * t91 + t70 * t90;
-            const real_t t159 = t120 - t119;
-            const bool t160 = TB_ABS(t159) <= t88;
-            const real_t t161 = t118 * t156;
-            real_t t162, t163;
+        const bool t136 = TB_C(0.0) < tb_max(t62 - t114, t114 - t82);
+        real_t t137, t138, t139, t140;
+        if (t136) {
+            const real_t t141 = tb_min(tb_max(t114, TB_C(3.0)), TB_C(10.0));
+            const real_t t142 = t141 * (TB_C(1.0) / (t91 * t91 + t90 * t90));
+            const real_t t143 = t94 * t142;
+            const real_t t144 = t77 * t91 + t70 * t90;
+            const real_t t145 = t113 - t112;
+            const bool t146 = TB_ABS(t145) <= t88;
+            const real_t t147 = t111 * t142;
+            real_t t148, t149;
+            if (t146) {
+                t148 = -TB_C(1000000000000.0);
+                t149 = TB_C(1000000000000.0);
+            } else {
+                const real_t t150 = TB_C(1.0) / t145;
+                const real_t t151 = (t62 - t147) * t150;
+                const real_t t152 = t150 * (t82 - t147);
+                t148 = tb_min(t151, t152);
+                t149 = tb_max(t151, t152);
+            }
+            const bool t153 = TB_ABS(t93) <= t88;
+            const real_t t154 = t92 * t142;
+            real_t t155, t156;
+            if (t153) {
+                t155 = -TB_C(1000000000000.0);
+                t156 = TB_C(1000000000000.0);
+            } else {
+                const real_t t157 = TB_C(1.0) / t93;
+                const real_t t158 = (t62 - t154) * t157;
+                const real_t t159 = t157 * (t82 - t154);
+                t155 = tb_min(t158, t159);
+                t156 = tb_max(t158, t159);
+            }
+            const bool t160 = TB_ABS(t144) <= t88;
+            real_t t161, t162;
             if (t160) {
-                t162 = -TB_C(1000000000000.0);
-                t163 = TB_C(1000000000000.0);
+                t161 = -TB_C(1000000000000.0);
+                t162 = TB_C(1000000000000.0);
             } else {
-                const real_t t164 = TB_C(1.0) / t159;
-                const real_t t165 = (t62 - t161) * t164;
-                const real_t t166 = t164 * (t82 - t161);
-                const real_t t167 = tb_min(t165, t166);
-                const real_t t168 = tb_max(t165, t166);
-                t162 = t167;
-                t163 = t168;
+                const real_t t163 = TB_C(1.0) / t144;
+                const real_t t164 = (t62 - t143) * t163;
+                const real_t t165 = t163 * (t82 - t143);
+                t161 = tb_min(t164, t165);
+                t162 = tb_max(t164, t165);
             }
-            const bool t169 = TB_ABS(t93) <= t88;
-            const real_t t170 = t92 * t156;
-            real_t t171, t172;
-            if (t169) {
-                t171 = -TB_C(1000000000000.0);
-                t172 = TB_C(1000000000000.0);
-            } else {
-                const real_t t173 = TB_C(1.0) / t93;
-                const real_t t174 = (t62 - t170) * t173;
-                const real_t t175 = t173 * (t82 - t170);
-                const real_t t176 = tb_min(t174, t175);
-                const real_t t177 = tb_max(t174, t175);
-                t171 = t176;
-                t172 = t177;
-            }
-            const bool t178 = TB_ABS(t158) <= t88;
-            real_t t179, t180;
-            if (t178) {
-                t179 = -TB_C(1000000000000.0);
-                t180 = TB_C(1000000000000.0);
-            } else {
-                const real_t t181 = TB_C(1.0) / t158;
-                const real_t t182 = (t62 - t157) * t181;
-                const real_t t183 = t181 * (t82 - t157);
-                const real_t t184 = tb_min(t182, t183);
-                const real_t t185 = tb_max(t182, t183);
-                t179 = t184;
-                t180 = t185;
-            }
-            const real_t t186 = tb_max(TB_C(0.0), tb_max(t162, tb_max(t171, t179)));
-            const real_t t187 = tb_min(t186, tb_min(t163, tb_min(t172, t180)));
-            const real_t t188 = t157 + t158 * t187;
-            const real_t t189 = t170 + t93 * t187;
-            const real_t t190 = t161 + t159 * t187;
-            t151 = t188;
-            t152 = t189;
-            t153 = t190;
-            t154 = t155;
+            const real_t t166 = tb_max(TB_C(0.0), tb_max(t148, tb_max(t155, t161)));
+            const real_t t167 = tb_min(t166, tb_min(t149, tb_min(t156, t162)));
+            t137 = t143 + t144 * t167;
+            t138 = t154 + t93 * t167;
+            t139 = t147 + t145 * t167;
+            t140 = t141;
         } else {
-            t151 = t122;
-            t152 = t123;
-            t153 = t124;
-            t154 = t121;
+            t137 = t115;
+            t138 = t116;
+            t139 = t117;
+            t140 = t114;
         }
         /* t_i = T_max - T0_i */
-        const real_t margin_0 = TB_C(10.0) - tb_min(tb_max(t151, TB_C(3.0)), TB_C(10.0));
-        const real_t margin_1 = TB_C(10.0) - tb_min(tb_max(t152, TB_C(3.0)), TB_C(10.0));
-        const real_t t191 = tb_min(margin_0, margin_1);
-        const bool t192 = t2 * t15 - t7 * t14 < TB_C(0.0);
-        const bool t193 = TB_C(0.0) < t31;
-        const real_t t194 = -t36;
-        const bool t195 = TB_C(0.0) < t194;
-        const bool t196 = (t54 || (TB_C(0.0) <= t16 && t192)) && !((t52 && t193) || (t57 &&
-            t195));
-        const real_t margin_2 = TB_C(10.0) - tb_min(tb_max(t153, TB_C(3.0)), TB_C(10.0));
-        const real_t t197 = tb_min(margin_0, margin_2);
-        const real_t t198 = tb_min(t60 ? (t53 ? t9 * t191 : t191) : TB_C(1e+30), t196 ? (t192 ?
-            t16 * t197 : t197) : TB_C(1e+30));
-        const bool t199 = -(t2 * t22 + t7 * t20) < TB_C(0.0);
-        const bool t200 = TB_C(0.0) < t33;
-        const bool t201 = TB_C(0.0) < t36;
-        const bool t202 = (t57 || (TB_C(0.0) <= t24 && t199)) && !((t52 && t200) || (t54 &&
-            t201));
-        const real_t margin_3 = TB_C(10.0) - tb_min(tb_max(t154, TB_C(3.0)), TB_C(10.0));
-        const real_t t203 = tb_min(margin_0, margin_3);
-        const real_t t204 = tb_min(t198, t202 ? (t199 ? t24 * t203 : t203) : TB_C(1e+30));
-        const real_t t205 = -t9;
-        const bool t206 = TB_C(0.0) < t205;
-        const real_t t207 = -t16;
-        const bool t208 = TB_C(0.0) < t207;
-        const real_t t209 = t23 - t21;
-        const bool t210 = TB_C(0.0) < t209;
-        const bool t211 = (t206 || (t53 && TB_C(0.0) <= t205)) && !((t193 && t208) || (t200 &&
-            t210));
-        const real_t t212 = tb_min(margin_1, margin_0);
-        const real_t t213 = tb_min(t204, t211 ? (t53 ? -(t9 * t212) : t212) : TB_C(1e+30));
-        const bool t214 = t8 * t15 + t6 * t14 < TB_C(0.0);
-        const bool t215 = (t193 || (TB_C(0.0) <= t31 && t214)) && !((t54 && t206) || (t195 &&
-            t200));
-        const real_t t216 = tb_min(margin_1, margin_2);
-        const real_t t217 = tb_min(t213, t215 ? (t214 ? t31 * t216 : t216) : TB_C(1e+30));
-        const bool t218 = t6 * t20 - t8 * t22 < TB_C(0.0);
-        const bool t219 = (t200 || (TB_C(0.0) <= t33 && t218)) && !((t57 && t206) || (t193 &&
-            t201));
-        const real_t t220 = tb_min(margin_1, margin_3);
-        const real_t t221 = tb_min(t217, t219 ? (t218 ? t33 * t220 : t220) : TB_C(1e+30));
-        const bool t222 = (t208 || (t192 && TB_C(0.0) <= t207)) && !((t56 && t206) || (t201 &&
-            t210));
-        const real_t t223 = tb_min(margin_2, margin_0);
-        const real_t t224 = t222 ? (t192 ? -(t16 * t223) : t223) : TB_C(1e+30);
-        const bool t225 = (t56 || (t214 && TB_C(0.0) <= t55)) && !((t52 && t208) || (t59 &&
-            t201));
-        const real_t t226 = tb_min(margin_2, margin_1);
-        const real_t t227 = t225 ? (t214 ? -(t31 * t226) : t226) : TB_C(1e+30);
-        const bool t228 = t14 * t20 - t15 * t22 < TB_C(0.0);
-        const bool t229 = (t201 || (TB_C(0.0) <= t36 && t228)) && !((t57 && t208) || (t56 &&
-            t200));
-        const real_t t230 = tb_min(margin_2, margin_3);
-        const real_t t231 = tb_min(tb_min(tb_min(t221, t224), t227), t229 ? (t228 ? t36 * t230
-            : t230) : TB_C(1e+30));
-        const bool t232 = (t210 || (t199 && TB_C(0.0) <= t209)) && !((t59 && t206) || (t195 &&
-            t208));
-        const real_t t233 = tb_min(margin_3, margin_0);
-        const real_t t234 = t232 ? (t199 ? -(t24 * t233) : t233) : TB_C(1e+30);
-        const bool t235 = (t59 || (t218 && TB_C(0.0) <= t58)) && !((t52 && t210) || (t56 &&
-            t195));
-        const real_t t236 = tb_min(margin_3, margin_1);
-        const real_t t237 = t235 ? (t218 ? -(t33 * t236) : t236) : TB_C(1e+30);
-        const bool t238 = (t195 || (t228 && TB_C(0.0) <= t194)) && !((t54 && t210) || (t59 &&
-            t193));
-        const real_t t239 = tb_min(margin_3, margin_2);
-        const real_t t240 = t238 ? (t228 ? -(t36 * t239) : t239) : TB_C(1e+30);
-        const real_t t241 = tb_min(tb_min(tb_min(t231, t234), t237), t240);
-        force_0 = t241;
+        const real_t margin_0 = TB_C(10.0) - tb_min(tb_max(t137, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_1 = TB_C(10.0) - tb_min(tb_max(t138, TB_C(3.0)), TB_C(10.0));
+        const real_t t168 = tb_min(margin_0, margin_1);
+        const bool t169 = t2 * t15 - t7 * t14 < TB_C(0.0);
+        const bool t170 = TB_C(0.0) < t31;
+        const real_t t171 = -t36;
+        const bool t172 = TB_C(0.0) < t171;
+        const bool t173 = (t54 || (TB_C(0.0) <= t16 && t169)) && !((t52 && t170) || (t57 &&
+            t172));
+        const real_t margin_2 = TB_C(10.0) - tb_min(tb_max(t139, TB_C(3.0)), TB_C(10.0));
+        const real_t t174 = tb_min(margin_0, margin_2);
+        const real_t t175 = tb_min(t60 ? (t53 ? t9 * t168 : t168) : TB_C(1e+30), t173 ? (t169 ?
+            t16 * t174 : t174) : TB_C(1e+30));
+        const bool t176 = -(t2 * t22 + t7 * t20) < TB_C(0.0);
+        const bool t177 = TB_C(0.0) < t33;
+        const bool t178 = TB_C(0.0) < t36;
+        const bool t179 = (t57 || (TB_C(0.0) <= t24 && t176)) && !((t52 && t177) || (t54 &&
+            t178));
+        const real_t margin_3 = TB_C(10.0) - tb_min(tb_max(t140, TB_C(3.0)), TB_C(10.0));
+        const real_t t180 = tb_min(margin_0, margin_3);
+        const real_t t181 = tb_min(t175, t179 ? (t176 ? t24 * t180 : t180) : TB_C(1e+30));
+        const real_t t182 = -t9;
+        const bool t183 = TB_C(0.0) < t182;
+        const real_t t184 = -t16;
+        const bool t185 = TB_C(0.0) < t184;
+        const real_t t186 = t23 - t21;
+        const bool t187 = TB_C(0.0) < t186;
+        const bool t188 = (t183 || (t53 && TB_C(0.0) <= t182)) && !((t170 && t185) || (t177 &&
+            t187));
+        const real_t t189 = tb_min(margin_1, margin_0);
+        const real_t t190 = tb_min(t181, t188 ? (t53 ? -(t9 * t189) : t189) : TB_C(1e+30));
+        const bool t191 = t8 * t15 + t6 * t14 < TB_C(0.0);
+        const bool t192 = (t170 || (TB_C(0.0) <= t31 && t191)) && !((t54 && t183) || (t172 &&
+            t177));
+        const real_t t193 = tb_min(margin_1, margin_2);
+        const real_t t194 = tb_min(t190, t192 ? (t191 ? t31 * t193 : t193) : TB_C(1e+30));
+        const bool t195 = t6 * t20 - t8 * t22 < TB_C(0.0);
+        const bool t196 = (t177 || (TB_C(0.0) <= t33 && t195)) && !((t57 && t183) || (t170 &&
+            t178));
+        const real_t t197 = tb_min(margin_1, margin_3);
+        const real_t t198 = tb_min(t194, t196 ? (t195 ? t33 * t197 : t197) : TB_C(1e+30));
+        const bool t199 = (t185 || (t169 && TB_C(0.0) <= t184)) && !((t56 && t183) || (t178 &&
+            t187));
+        const real_t t200 = tb_min(margin_2, margin_0);
+        const real_t t201 = t199 ? (t169 ? -(t16 * t200) : t200) : TB_C(1e+30);
+        const bool t202 = (t56 || (t191 && TB_C(0.0) <= t55)) && !((t52 && t185) || (t59 &&
+            t178));
+        const real_t t203 = tb_min(margin_2, margin_1);
+        const real_t t204 = t202 ? (t191 ? -(t31 * t203) : t203) : TB_C(1e+30);
+        const bool t205 = t14 * t20 - t15 * t22 < TB_C(0.0);
+        const bool t206 = (t178 || (TB_C(0.0) <= t36 && t205)) && !((t57 && t185) || (t56 &&
+            t177));
+        const real_t t207 = tb_min(margin_2, margin_3);
+        const real_t t208 = tb_min(tb_min(tb_min(t198, t201), t204), t206 ? (t205 ? t36 * t207
+            : t207) : TB_C(1e+30));
+        const bool t209 = (t187 || (t176 && TB_C(0.0) <= t186)) && !((t59 && t183) || (t172 &&
+            t185));
+        const real_t t210 = tb_min(margin_3, margin_0);
+        const real_t t211 = t209 ? (t176 ? -(t24 * t210) : t210) : TB_C(1e+30);
+        const bool t212 = (t59 || (t195 && TB_C(0.0) <= t58)) && !((t52 && t187) || (t56 &&
+            t172));
+        const real_t t213 = tb_min(margin_3, margin_1);
+        const real_t t214 = t212 ? (t195 ? -(t33 * t213) : t213) : TB_C(1e+30);
+        const bool t215 = (t172 || (t205 && TB_C(0.0) <= t171)) && !((t54 && t187) || (t59 &&
+            t170));
+        const real_t t216 = tb_min(margin_3, margin_2);
+        const real_t t217 = t215 ? (t205 ? -(t36 * t216) : t216) : TB_C(1e+30);
+        force_0 = tb_min(tb_min(tb_min(t208, t211), t214), t217);
     } else {
         force_0 = TB_C(0.0);
     }
-    const bool t242 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t243 = t242 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    const bool t244 = !(TB_EPSILON * TB_C(4096.0) < t51);
-    const bool t245 = !t40;
-    if (t243) {
+    const bool t218 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t219 = t218 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    const bool t220 = !(TB_EPSILON * TB_C(4096.0) < t51);
+    const bool t221 = !t40;
+    if (t219) {
         force[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t244) {
+    if (t220) {
         force[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
     force[0] = force_0;
-    return t245 ? TB_INFEASIBLE : TB_OK;
+    return t221 ? TB_INFEASIBLE : TB_OK;
 }
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -8,11 +8,10 @@
 #include "tb_types.h"
 
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
- *  structure [1] (2 x 4), tension [N] (4)  ->  wrench [N] (2)
- *  Domain: structure with a sum of magnitudes of at most 32 1, else TB_OUT_OF_DOMAIN.
+ *  structure [-] (2 x 4), tension [N] (4)  ->  wrench [N] (2)
+ *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
- *  Error of wrench: double <= 1.3e-14 N (worst found 6.3e-15); float <= 7.1e-06 N (worst found
- *    3.5e-06).
+ *  Error of wrench: double at most 1.3e-14 N; float at most 7.1e-06 N.
  *  Cost, all branches: 6 add, 8 mul. */
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2]);
 
@@ -24,8 +23,7 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *    0.9236] m, else TB_OUT_OF_DOMAIN.
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
- *  Error of force: double <= 5.4e-15 N (worst found 2.7e-15); float <= 1.5e-04 N (worst found
- *    7.7e-05).
+ *  Error of force: double at most 5.4e-15 N; float at most 1.5e-04 N.
  *  Cost, all branches: 14 add, 12 mul, 4 div, 4 sqrt, 4 compare. */
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real_t tension[4],
     real_t force[4]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine c2e26558649395a1, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -18,265 +18,244 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         kkt_residual[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t t0 = structure[0] * structure[7] - structure[4] * structure[3];
-    const real_t t1 = structure[0] * wrench[1] - structure[4] * wrench[0];
-    const real_t t2 = structure[7] * structure[1] - structure[3] * structure[5];
-    const real_t t3 = wrench[1] * structure[1] - wrench[0] * structure[5];
-    const real_t t4 = structure[7] * structure[2] - structure[3] * structure[6];
-    const real_t t5 = wrench[1] * structure[2] - wrench[0] * structure[6];
-    const real_t t6 = structure[0] * structure[5] - structure[4] * structure[1];
-    const real_t t7 = t6 * t6;
-    const real_t t8 = t4 * t4;
-    const real_t t9 = structure[0] * structure[6] - structure[4] * structure[2];
-    const real_t t10 = t9 * t9;
-    const real_t t11 = t2 * t2;
-    const real_t t12 = t0 * t0;
-    const real_t t13 = structure[1] * structure[6] - structure[5] * structure[2];
-    const real_t t14 = t13 * t13;
-    const real_t t15 = t7 + t8 + (t10 + t11) + (t12 + t14);
-    const real_t t16 = TB_C(1.0) / t15;
-    /* T0, the least-norm tensions that exert the wrench */
-    const real_t start_3 = (t0 * t1 + t2 * t3 + t4 * t5) * t16;
-    const real_t t17 = TB_C(3.0) - start_3;
-    const real_t t18 = TB_SQRT(t15) * TB_C(0.5);
-    const real_t t19 = TB_C(1.0) / t18;
-    const real_t t20 = TB_C(80.0) * TB_EPSILON * t19;
-    const real_t t21 = structure[3] * wrench[1] - structure[7] * wrench[0];
-    const real_t start_2 = t16 * (t1 * t9 + t3 * t13 - t4 * t21);
-    const real_t t22 = TB_C(3.0) - start_2;
-    const real_t t23 = t22 - t20;
-    const real_t start_1 = t16 * (t1 * t6 - t5 * t13 - t2 * t21);
-    const real_t t24 = TB_C(3.0) - start_1;
-    const real_t t25 = t24 - t20;
-    const real_t t26 = t9 * t13 + t0 * t2;
-    const real_t t27 = t16 * (t3 * t6 + t5 * t9 + t0 * t21);
-    const real_t t28 = TB_C(3.0) + t27;
-    const real_t t29 = t27 + TB_C(10.0);
-    const real_t t30 = tb_min(tb_max(TB_C(0.0), t28), t29);
-    const real_t t31 = t30 / (t14 + (t8 + t11));
-    const real_t t32 = t26 * t31;
-    const real_t t33 = TB_C(10.0) - start_1;
-    const real_t t34 = t20 + t33;
-    const bool t35 = TB_C(0.0) < tb_max(t25 + t32, -(t32 + t34));
-    const real_t t36 = TB_EPSILON * TB_C(16.0);
-    const real_t t37 = t28 - t20;
-    const real_t t38 = -t32;
-    const real_t t39 = t20 + t29;
-    const real_t t40 = t6 * t9 + t2 * t4;
-    const real_t t41 = t0 * t4 - t6 * t13;
-    const real_t t42 = t0 * t6 - t4 * t13;
-    const real_t t43 = t2 * t6 + t4 * t9;
-    real_t t44, t45, t46, t47, t48;
-    if (t35) {
-        const bool t49 = TB_ABS(t4) <= t36;
-        const real_t t50 = tb_min(tb_max(t38, t24), t33);
-        const real_t t51 = t50 / (t10 + (t8 + t12));
-        const real_t t52 = t26 * t51;
-        const real_t t53 = TB_C(1.0) / t4;
-        real_t t54, t55;
-        if (t49) {
-            t54 = -TB_C(1000000000000.0);
-            t55 = TB_C(1000000000000.0);
+    const real_t cross_03 = structure[0] * structure[7] - structure[4] * structure[3];
+    /* s_i x W */
+    const real_t height_0 = structure[0] * wrench[1] - structure[4] * wrench[0];
+    const real_t cross_13 = structure[7] * structure[1] - structure[3] * structure[5];
+    const real_t height_1 = wrench[1] * structure[1] - wrench[0] * structure[5];
+    const real_t cross_23 = structure[7] * structure[2] - structure[3] * structure[6];
+    const real_t height_2 = wrench[1] * structure[2] - wrench[0] * structure[6];
+    const real_t t0 = cross_03 * height_0 + cross_13 * height_1 + cross_23 * height_2;
+    const real_t cross_01 = structure[0] * structure[5] - structure[4] * structure[1];
+    const real_t t1 = cross_01 * cross_01;
+    const real_t t2 = cross_23 * cross_23;
+    const real_t cross_02 = structure[0] * structure[6] - structure[4] * structure[2];
+    const real_t t3 = cross_02 * cross_02;
+    const real_t t4 = cross_13 * cross_13;
+    const real_t t5 = cross_03 * cross_03;
+    const real_t cross_12 = structure[1] * structure[6] - structure[5] * structure[2];
+    const real_t t6 = cross_12 * cross_12;
+    /* det S S', Cauchy-Binet */
+    const real_t determinant = t1 + t2 + (t3 + t4) + (t5 + t6);
+    const real_t t7 = TB_C(1.0) / determinant;
+    /* the least-norm tensions that exert the wrench */
+    const real_t start_3 = t0 * t7;
+    const real_t t8 = TB_C(3.0) - start_3;
+    const real_t t9 = TB_SQRT(determinant) * TB_C(0.5);
+    const real_t t10 = TB_C(1.0) / t9;
+    const real_t t11 = TB_C(80.0) * TB_EPSILON * t10;
+    const real_t height_3 = structure[3] * wrench[1] - structure[7] * wrench[0];
+    const real_t t12 = height_0 * cross_02 + height_1 * cross_12 - cross_23 * height_3;
+    const real_t start_2 = t7 * t12;
+    const real_t t13 = TB_C(3.0) - start_2;
+    const real_t t14 = t13 - t11;
+    const real_t t15 = height_0 * cross_01 - height_2 * cross_12 - cross_13 * height_3;
+    const real_t start_1 = t7 * t15;
+    const real_t t16 = TB_C(3.0) - start_1;
+    const real_t t17 = t16 - t11;
+    const real_t t18 = cross_02 * cross_12 + cross_03 * cross_13;
+    const real_t t19 = height_1 * cross_01 + height_2 * cross_02 + cross_03 * height_3;
+    const real_t t20 = t7 * t19;
+    const real_t t21 = TB_C(3.0) + t20;
+    const real_t t22 = t20 + TB_C(10.0);
+    const real_t t23 = tb_min(tb_max(TB_C(0.0), t21), t22);
+    const real_t t24 = t23 * (TB_C(1.0) / (t6 + (t2 + t4)));
+    const real_t t25 = t18 * t24;
+    const real_t t26 = TB_C(10.0) - start_1;
+    const real_t t27 = t11 + t26;
+    const bool t28 = TB_C(0.0) < tb_max(t17 + t25, -(t25 + t27));
+    const real_t t29 = TB_EPSILON * TB_C(16.0);
+    const real_t t30 = t21 - t11;
+    const real_t t31 = -t25;
+    const real_t t32 = t11 + t22;
+    const real_t t33 = cross_01 * cross_02 + cross_13 * cross_23;
+    const real_t t34 = cross_03 * cross_23 - cross_01 * cross_12;
+    const real_t t35 = cross_03 * cross_01 - cross_23 * cross_12;
+    const real_t t36 = cross_13 * cross_01 + cross_23 * cross_02;
+    real_t t37, t38, t39, t40, t41;
+    if (t28) {
+        const bool t42 = TB_ABS(cross_23) <= t29;
+        const real_t t43 = tb_min(tb_max(t31, t16), t26);
+        const real_t t44 = t43 * (TB_C(1.0) / (t3 + (t2 + t5)));
+        const real_t t45 = t18 * t44;
+        const real_t t46 = TB_C(1.0) / cross_23;
+        real_t t47, t48;
+        if (t42) {
+            t47 = -TB_C(1000000000000.0);
+            t48 = TB_C(1000000000000.0);
         } else {
-            const real_t t56 = -((t37 + t52) * t53);
-            const real_t t57 = -(t53 * (t52 + t39));
-            const real_t t58 = tb_min(t56, t57);
-            const real_t t59 = tb_max(t56, t57);
-            t54 = t58;
-            t55 = t59;
+            const real_t t49 = -((t30 + t45) * t46);
+            const real_t t50 = -(t46 * (t45 + t32));
+            t47 = tb_min(t49, t50);
+            t48 = tb_max(t49, t50);
         }
-        const real_t t60 = tb_min(tb_max(TB_C(0.0), t54), t55);
-        const real_t t61 = t0 * t60 - t51 * t40;
-        const real_t t62 = -(t51 * t42 + t9 * t60);
-        const real_t t63 = -(t52 + t4 * t60);
-        const real_t t64 = t15 * t51;
-        const real_t t65 = TB_C(0.0) < TB_ABS(t60) ? t60 * (t26 * t53) : TB_C(0.0);
-        const real_t t66 = tb_max(TB_C(0.0), t38 < t50 ? t65 - t64 : t64 - t65);
-        t44 = t61;
-        t45 = t62;
-        t46 = t63;
-        t47 = t50;
-        t48 = t66;
+        const real_t t51 = tb_min(tb_max(TB_C(0.0), t47), t48);
+        const real_t t52 = determinant * t44;
+        const real_t t53 = TB_C(0.0) < TB_ABS(t51) ? t51 * (t18 * t46) : TB_C(0.0);
+        const real_t t54 = tb_max(TB_C(0.0), t31 < t43 ? t53 - t52 : t52 - t53);
+        t37 = cross_03 * t51 - t44 * t33;
+        t38 = -(t44 * t35 + cross_02 * t51);
+        t39 = -(t45 + cross_23 * t51);
+        t40 = t43;
+        t41 = t54;
     } else {
-        const real_t t67 = -(t31 * t41);
-        const real_t t68 = t31 * t43;
-        t44 = t67;
-        t45 = t68;
-        t46 = t30;
-        t47 = t38;
-        t48 = TB_C(0.0);
+        t37 = -(t24 * t34);
+        t38 = t24 * t36;
+        t39 = t23;
+        t40 = t31;
+        t41 = TB_C(0.0);
     }
-    const real_t t69 = TB_C(10.0) - start_2;
-    const real_t t70 = t20 + t69;
-    const bool t71 = TB_C(0.0) < tb_max(t23 - t44, t44 - t70);
-    const real_t t72 = t0 * t9 + t2 * t13;
-    real_t t73, t74, t75, t76, t77;
-    if (t71) {
-        const bool t78 = TB_ABS(t0) <= t36;
-        const real_t t79 = tb_min(tb_max(t44, t22), t69);
-        const real_t t80 = t79 / (t7 + (t11 + t12));
-        const real_t t81 = t40 * t80;
-        const real_t t82 = TB_C(1.0) / t0;
-        real_t t83, t84;
-        if (t78) {
-            t83 = -TB_C(1000000000000.0);
-            t84 = TB_C(1000000000000.0);
+    const real_t t55 = TB_C(10.0) - start_2;
+    const real_t t56 = t11 + t55;
+    const bool t57 = TB_C(0.0) < tb_max(t14 - t37, t37 - t56);
+    const real_t t58 = cross_03 * cross_02 + cross_13 * cross_12;
+    real_t t59, t60, t61, t62, t63;
+    if (t57) {
+        const bool t64 = TB_ABS(cross_03) <= t29;
+        const real_t t65 = tb_min(tb_max(t37, t13), t55);
+        const real_t t66 = t65 * (TB_C(1.0) / (t1 + (t4 + t5)));
+        const real_t t67 = t33 * t66;
+        const real_t t68 = TB_C(1.0) / cross_03;
+        real_t t69, t70;
+        if (t64) {
+            t69 = -TB_C(1000000000000.0);
+            t70 = TB_C(1000000000000.0);
         } else {
-            const real_t t85 = -((t25 + t81) * t82);
-            const real_t t86 = -(t82 * (t34 + t81));
-            const real_t t87 = tb_min(t85, t86);
-            const real_t t88 = tb_max(t85, t86);
-            t83 = t87;
-            t84 = t88;
+            const real_t t71 = -((t17 + t67) * t68);
+            const real_t t72 = -(t68 * (t27 + t67));
+            t69 = tb_min(t71, t72);
+            t70 = tb_max(t71, t72);
         }
-        const bool t89 = TB_ABS(t2) <= t36;
-        const real_t t90 = t41 * t80;
-        const real_t t91 = TB_C(1.0) / t2;
-        real_t t92, t93;
-        if (t89) {
-            t92 = -TB_C(1000000000000.0);
-            t93 = TB_C(1000000000000.0);
+        const bool t73 = TB_ABS(cross_13) <= t29;
+        const real_t t74 = t34 * t66;
+        const real_t t75 = TB_C(1.0) / cross_13;
+        real_t t76, t77;
+        if (t73) {
+            t76 = -TB_C(1000000000000.0);
+            t77 = TB_C(1000000000000.0);
         } else {
-            const real_t t94 = (t37 + t90) * t91;
-            const real_t t95 = t91 * (t39 + t90);
-            const real_t t96 = tb_min(t94, t95);
-            const real_t t97 = tb_max(t94, t95);
-            t92 = t96;
-            t93 = t97;
+            const real_t t78 = (t30 + t74) * t75;
+            const real_t t79 = t75 * (t32 + t74);
+            t76 = tb_min(t78, t79);
+            t77 = tb_max(t78, t79);
         }
-        const real_t t98 = tb_min(tb_max(TB_C(0.0), tb_max(t83, t92)), tb_min(t84, t93));
-        const real_t t99 = t6 * t98 - t80 * t72;
-        const real_t t100 = t2 * t98 - t90;
-        const real_t t101 = -(t81 + t0 * t98);
-        const real_t t102 = t15 * t80;
-        real_t t103;
-        if (TB_C(0.0) < TB_ABS(t98)) {
-            const real_t t104 = t40 * t82;
-            const real_t t105 = -(t41 * t91);
-            const real_t t106 = TB_C(0.0) < t98 ? (t92 < t83 ? t104 : t105) : (t84 < t93 ? t104
-                : t105);
-            const real_t t107 = t98 * t106;
-            t103 = t107;
+        const real_t t80 = tb_min(tb_max(TB_C(0.0), tb_max(t69, t76)), tb_min(t70, t77));
+        const real_t t81 = determinant * t66;
+        real_t t82;
+        if (TB_C(0.0) < TB_ABS(t80)) {
+            const real_t t83 = t33 * t68;
+            const real_t t84 = -(t34 * t75);
+            const real_t t85 = TB_C(0.0) < t80 ? (t76 < t69 ? t83 : t84) : (t70 < t77 ? t83 :
+                t84);
+            t82 = t80 * t85;
         } else {
-            t103 = TB_C(0.0);
+            t82 = TB_C(0.0);
         }
-        const real_t t108 = tb_max(TB_C(0.0), t44 < t79 ? t103 - t102 : t102 - t103);
-        t73 = t99;
-        t74 = t100;
-        t75 = t101;
-        t76 = t79;
-        t77 = t108;
+        const real_t t86 = tb_max(TB_C(0.0), t37 < t65 ? t82 - t81 : t81 - t82);
+        t59 = cross_01 * t80 - t66 * t58;
+        t60 = cross_13 * t80 - t74;
+        t61 = -(t67 + cross_03 * t80);
+        t62 = t65;
+        t63 = t86;
     } else {
-        t73 = t45;
-        t74 = t46;
-        t75 = t47;
-        t76 = t44;
-        t77 = t48;
+        t59 = t38;
+        t60 = t39;
+        t61 = t40;
+        t62 = t37;
+        t63 = t41;
     }
-    const real_t t109 = TB_C(10.0) - start_3;
-    const bool t110 = TB_C(0.0) < tb_max(t17 - t20 - t73, t73 - (t20 + t109));
-    real_t t111, t112, t113, t114, t115;
-    if (t110) {
-        const real_t t116 = tb_min(tb_max(t73, t17), t109);
-        const real_t t117 = t116 / (t7 + (t10 + t14));
-        const real_t t118 = t43 * t117;
-        const bool t119 = TB_ABS(t6) <= t36;
-        const real_t t120 = t72 * t117;
-        const real_t t121 = TB_C(1.0) / t6;
-        real_t t122, t123;
-        if (t119) {
-            t122 = -TB_C(1000000000000.0);
-            t123 = TB_C(1000000000000.0);
+    const real_t t87 = TB_C(10.0) - start_3;
+    const bool t88 = TB_C(0.0) < tb_max(t8 - t11 - t59, t59 - (t11 + t87));
+    real_t t89, t90, t91, t92, t93;
+    if (t88) {
+        const real_t t94 = tb_min(tb_max(t59, t8), t87);
+        const real_t t95 = t94 * (TB_C(1.0) / (t1 + (t3 + t6)));
+        const real_t t96 = t36 * t95;
+        const bool t97 = TB_ABS(cross_01) <= t29;
+        const real_t t98 = t58 * t95;
+        const real_t t99 = TB_C(1.0) / cross_01;
+        real_t t100, t101;
+        if (t97) {
+            t100 = -TB_C(1000000000000.0);
+            t101 = TB_C(1000000000000.0);
         } else {
-            const real_t t124 = -((t23 + t120) * t121);
-            const real_t t125 = -(t121 * (t70 + t120));
-            const real_t t126 = tb_min(t124, t125);
-            const real_t t127 = tb_max(t124, t125);
-            t122 = t126;
-            t123 = t127;
+            const real_t t102 = -((t14 + t98) * t99);
+            const real_t t103 = -(t99 * (t56 + t98));
+            t100 = tb_min(t102, t103);
+            t101 = tb_max(t102, t103);
         }
-        const bool t128 = TB_ABS(t9) <= t36;
-        const real_t t129 = t42 * t117;
-        const real_t t130 = TB_C(1.0) / t9;
-        real_t t131, t132;
-        if (t128) {
-            t131 = -TB_C(1000000000000.0);
-            t132 = TB_C(1000000000000.0);
+        const bool t104 = TB_ABS(cross_02) <= t29;
+        const real_t t105 = t35 * t95;
+        const real_t t106 = TB_C(1.0) / cross_02;
+        real_t t107, t108;
+        if (t104) {
+            t107 = -TB_C(1000000000000.0);
+            t108 = TB_C(1000000000000.0);
         } else {
-            const real_t t133 = (t25 + t129) * t130;
-            const real_t t134 = t130 * (t34 + t129);
-            const real_t t135 = tb_min(t133, t134);
-            const real_t t136 = tb_max(t133, t134);
-            t131 = t135;
-            t132 = t136;
+            const real_t t109 = (t17 + t105) * t106;
+            const real_t t110 = t106 * (t27 + t105);
+            t107 = tb_min(t109, t110);
+            t108 = tb_max(t109, t110);
         }
-        const bool t137 = TB_ABS(t13) <= t36;
-        const real_t t138 = TB_C(1.0) / t13;
-        real_t t139, t140;
-        if (t137) {
-            t139 = -TB_C(1000000000000.0);
-            t140 = TB_C(1000000000000.0);
+        const bool t111 = TB_ABS(cross_12) <= t29;
+        const real_t t112 = TB_C(1.0) / cross_12;
+        real_t t113, t114;
+        if (t111) {
+            t113 = -TB_C(1000000000000.0);
+            t114 = TB_C(1000000000000.0);
         } else {
-            const real_t t141 = -((t37 - t118) * t138);
-            const real_t t142 = -(t138 * (t39 - t118));
-            const real_t t143 = tb_min(t141, t142);
-            const real_t t144 = tb_max(t141, t142);
-            t139 = t143;
-            t140 = t144;
+            const real_t t115 = -((t30 - t96) * t112);
+            const real_t t116 = -(t112 * (t32 - t96));
+            t113 = tb_min(t115, t116);
+            t114 = tb_max(t115, t116);
         }
-        const real_t t145 = tb_max(t131, t139);
-        const real_t t146 = tb_min(t132, t140);
-        const real_t t147 = tb_min(tb_max(TB_C(0.0), tb_max(t122, t145)), tb_min(t123, t146));
-        const real_t t148 = t118 - t13 * t147;
-        const real_t t149 = t9 * t147 - t129;
-        const real_t t150 = -(t120 + t6 * t147);
-        const real_t t151 = t15 * t117;
-        real_t t152;
-        if (TB_C(0.0) < TB_ABS(t147)) {
-            const real_t t153 = t72 * t121;
-            const real_t t154 = -(t42 * t130);
-            const real_t t155 = -(t43 * t138);
-            real_t t156;
-            if (TB_C(0.0) < t147) {
-                const real_t t157 = t145 < t122 ? t153 : (t139 < t131 ? t154 : t155);
-                t156 = t157;
+        const real_t t117 = tb_max(t107, t113);
+        const real_t t118 = tb_min(t108, t114);
+        const real_t t119 = tb_min(tb_max(TB_C(0.0), tb_max(t100, t117)), tb_min(t101, t118));
+        const real_t t120 = determinant * t95;
+        real_t t121;
+        if (TB_C(0.0) < TB_ABS(t119)) {
+            const real_t t122 = t58 * t99;
+            const real_t t123 = -(t35 * t106);
+            const real_t t124 = -(t36 * t112);
+            real_t t125;
+            if (TB_C(0.0) < t119) {
+                t125 = t117 < t100 ? t122 : (t113 < t107 ? t123 : t124);
             } else {
-                const real_t t158 = t123 < t146 ? t153 : (t132 < t140 ? t154 : t155);
-                t156 = t158;
+                t125 = t101 < t118 ? t122 : (t108 < t114 ? t123 : t124);
             }
-            const real_t t159 = t147 * t156;
-            t152 = t159;
+            t121 = t119 * t125;
         } else {
-            t152 = TB_C(0.0);
+            t121 = TB_C(0.0);
         }
-        const real_t t160 = tb_max(TB_C(0.0), t73 < t116 ? t152 - t151 : t151 - t152);
-        t111 = t148;
-        t112 = t149;
-        t113 = t150;
-        t114 = t116;
-        t115 = t160;
+        const real_t t126 = tb_max(TB_C(0.0), t59 < t94 ? t121 - t120 : t120 - t121);
+        t89 = t96 - cross_12 * t119;
+        t90 = cross_02 * t119 - t105;
+        t91 = -(t98 + cross_01 * t119);
+        t92 = t94;
+        t93 = t126;
     } else {
-        t111 = t74;
-        t112 = t75;
-        t113 = t76;
-        t114 = t73;
-        t115 = t77;
+        t89 = t60;
+        t90 = t61;
+        t91 = t62;
+        t92 = t59;
+        t93 = t63;
     }
-    const real_t tension_0 = tb_min(tb_max(t111 - t27, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t112, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t113, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t114, TB_C(3.0)), TB_C(10.0));
-    const real_t t161 = structure[0] * tension_0 + structure[1] * tension_1;
+    const real_t tension_0 = tb_min(tb_max(t89 - t20, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(start_1 + t90, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(start_2 + t91, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(start_3 + t92, TB_C(3.0)), TB_C(10.0));
+    const real_t t127 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t161 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t162 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t162 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t kkt_residual_0 = tb_max(tb_max(t115, TB_ABS(delivered_0 - wrench[0])),
+    const real_t delivered_0 = t127 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t128 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t128 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t kkt_residual_0 = tb_max(tb_max(t93, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const bool t163 = !(TB_EPSILON * TB_C(4096.0) < t18);
-    const bool t164 = kkt_residual_0 <= t19 * (TB_EPSILON * TB_C(640.0));
-    const bool t165 = !t164;
-    if (t163) {
+    const bool t129 = !(TB_EPSILON * TB_C(4096.0) < t9);
+    const bool t130 = kkt_residual_0 <= t10 * (TB_EPSILON * TB_C(640.0));
+    const bool t131 = !t130;
+    if (t129) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -286,7 +265,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t165) {
+    if (t131) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -346,7 +325,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t20 = t9 * t17;
     const real_t t21 = structure[1] * t19 - t4 * t14 + structure[2] * t20;
     const real_t t22 = t6 * (t21 + structure[3] * t18);
-    /* T0, the least-norm tensions that exert the wrench */
+    /* the least-norm tensions that exert the wrench */
     const real_t start_3 = t18 - structure[3] * t22;
     const real_t t23 = TB_C(3.0) - start_3;
     const real_t t24 = tb_min(TB_ABS(t3), TB_ABS(t12));
@@ -400,7 +379,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     real_t t70, t71, t72, t73, t74;
     if (t56) {
         const real_t t75 = tb_min(tb_max(t53, t29), t54);
-        const real_t t76 = t75 / (t38 * t38 + t46 * t46);
+        const real_t t76 = t75 * (TB_C(1.0) / (t38 * t38 + t46 * t46));
         const real_t t77 = t38 * t45 - t37 * t46;
         const bool t78 = TB_ABS(t77) <= t61;
         const real_t t79 = t47 * t76;
@@ -412,205 +391,178 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         } else {
             const real_t t83 = (t62 - t79) * t80;
             const real_t t84 = t80 * (t63 - t79);
-            const real_t t85 = tb_min(t83, t84);
-            const real_t t86 = tb_max(t83, t84);
-            t81 = t85;
-            t82 = t86;
+            t81 = tb_min(t83, t84);
+            t82 = tb_max(t83, t84);
         }
-        const real_t t87 = tb_min(tb_max(TB_C(0.0), t81), t82);
-        const real_t t88 = t59 * t76 + t60 * t87;
-        const real_t t89 = t76 * t67 - t87 * t68;
-        const real_t t90 = t79 + t77 * t87;
-        const real_t t91 = TB_C(0.0) < TB_ABS(t87) ? t87 * (t47 * t80) : TB_C(0.0);
-        const real_t t92 = tb_max(TB_C(0.0), t53 < t75 ? t91 - t76 : t76 - t91);
-        t70 = t88;
-        t71 = t89;
-        t72 = t90;
+        const real_t t85 = tb_min(tb_max(TB_C(0.0), t81), t82);
+        const real_t t86 = TB_C(0.0) < TB_ABS(t85) ? t85 * (t47 * t80) : TB_C(0.0);
+        const real_t t87 = tb_max(TB_C(0.0), t53 < t75 ? t86 - t76 : t76 - t86);
+        t70 = t59 * t76 + t60 * t85;
+        t71 = t76 * t67 - t85 * t68;
+        t72 = t79 + t77 * t85;
         t73 = t75;
-        t74 = t92;
+        t74 = t87;
     } else {
-        const real_t t93 = t52 * t64;
-        const real_t t94 = t52 * t69;
-        t70 = t93;
-        t71 = t94;
+        t70 = t52 * t64;
+        t71 = t52 * t69;
         t72 = t51;
         t73 = t53;
         t74 = TB_C(0.0);
     }
-    const real_t t95 = TB_C(10.0) - start_2;
-    const real_t t96 = t26 + t95;
-    const bool t97 = TB_C(0.0) < tb_max(t28 - t70, t70 - t96);
-    const real_t t98 = t58 * t66;
-    const real_t t99 = t57 * t65;
-    const real_t t100 = t58 * t65 + t57 * t66;
-    real_t t101, t102, t103, t104, t105;
-    if (t97) {
-        const bool t106 = TB_ABS(t60) <= t61;
-        const real_t t107 = tb_min(tb_max(t70, t27), t95);
-        const real_t t108 = t107 / (t58 * t58 + t57 * t57);
-        const real_t t109 = t59 * t108;
-        const real_t t110 = TB_C(1.0) / t60;
-        real_t t111, t112;
-        if (t106) {
-            t111 = -TB_C(1000000000000.0);
-            t112 = TB_C(1000000000000.0);
+    const real_t t88 = TB_C(10.0) - start_2;
+    const real_t t89 = t26 + t88;
+    const bool t90 = TB_C(0.0) < tb_max(t28 - t70, t70 - t89);
+    const real_t t91 = t58 * t66;
+    const real_t t92 = t57 * t65;
+    const real_t t93 = t58 * t65 + t57 * t66;
+    real_t t94, t95, t96, t97, t98;
+    if (t90) {
+        const bool t99 = TB_ABS(t60) <= t61;
+        const real_t t100 = tb_min(tb_max(t70, t27), t88);
+        const real_t t101 = t100 * (TB_C(1.0) / (t58 * t58 + t57 * t57));
+        const real_t t102 = t59 * t101;
+        const real_t t103 = TB_C(1.0) / t60;
+        real_t t104, t105;
+        if (t99) {
+            t104 = -TB_C(1000000000000.0);
+            t105 = TB_C(1000000000000.0);
         } else {
-            const real_t t113 = -((t30 - t109) * t110);
-            const real_t t114 = -(t110 * (t55 - t109));
-            const real_t t115 = tb_min(t113, t114);
-            const real_t t116 = tb_max(t113, t114);
-            t111 = t115;
-            t112 = t116;
+            const real_t t106 = -((t30 - t102) * t103);
+            const real_t t107 = -(t103 * (t55 - t102));
+            t104 = tb_min(t106, t107);
+            t105 = tb_max(t106, t107);
         }
-        const real_t t117 = t45 * t58 + t37 * t57;
-        const bool t118 = TB_ABS(t117) <= t61;
-        const real_t t119 = t64 * t108;
-        const real_t t120 = TB_C(1.0) / t117;
-        real_t t121, t122;
-        if (t118) {
-            t121 = -TB_C(1000000000000.0);
-            t122 = TB_C(1000000000000.0);
+        const real_t t108 = t45 * t58 + t37 * t57;
+        const bool t109 = TB_ABS(t108) <= t61;
+        const real_t t110 = t64 * t101;
+        const real_t t111 = TB_C(1.0) / t108;
+        real_t t112, t113;
+        if (t109) {
+            t112 = -TB_C(1000000000000.0);
+            t113 = TB_C(1000000000000.0);
         } else {
-            const real_t t123 = -((t62 - t119) * t120);
-            const real_t t124 = -(t120 * (t63 - t119));
-            const real_t t125 = tb_min(t123, t124);
-            const real_t t126 = tb_max(t123, t124);
-            t121 = t125;
-            t122 = t126;
+            const real_t t114 = -((t62 - t110) * t111);
+            const real_t t115 = -(t111 * (t63 - t110));
+            t112 = tb_min(t114, t115);
+            t113 = tb_max(t114, t115);
         }
-        const real_t t127 = tb_min(tb_max(TB_C(0.0), tb_max(t111, t121)), tb_min(t112, t122));
-        const real_t t128 = (t98 - t99) * t127 - t108 * t100;
-        const real_t t129 = t119 - t117 * t127;
-        const real_t t130 = t109 - t60 * t127;
-        real_t t131;
-        if (TB_C(0.0) < TB_ABS(t127)) {
-            const real_t t132 = -(t59 * t110);
-            const real_t t133 = -(t64 * t120);
-            const real_t t134 = TB_C(0.0) < t127 ? (t121 < t111 ? t132 : t133) : (t112 < t122 ?
-                t132 : t133);
-            const real_t t135 = t127 * t134;
-            t131 = t135;
+        const real_t t116 = tb_min(tb_max(TB_C(0.0), tb_max(t104, t112)), tb_min(t105, t113));
+        real_t t117;
+        if (TB_C(0.0) < TB_ABS(t116)) {
+            const real_t t118 = -(t59 * t103);
+            const real_t t119 = -(t64 * t111);
+            const real_t t120 = TB_C(0.0) < t116 ? (t112 < t104 ? t118 : t119) : (t105 < t113 ?
+                t118 : t119);
+            t117 = t116 * t120;
         } else {
-            t131 = TB_C(0.0);
+            t117 = TB_C(0.0);
         }
-        const real_t t136 = tb_max(TB_C(0.0), t70 < t107 ? t131 - t108 : t108 - t131);
-        t101 = t128;
-        t102 = t129;
-        t103 = t130;
-        t104 = t107;
-        t105 = t136;
+        const real_t t121 = tb_max(TB_C(0.0), t70 < t100 ? t117 - t101 : t101 - t117);
+        t94 = (t91 - t92) * t116 - t101 * t93;
+        t95 = t110 - t108 * t116;
+        t96 = t102 - t60 * t116;
+        t97 = t100;
+        t98 = t121;
     } else {
-        t101 = t71;
-        t102 = t72;
-        t103 = t73;
-        t104 = t70;
-        t105 = t74;
+        t94 = t71;
+        t95 = t72;
+        t96 = t73;
+        t97 = t70;
+        t98 = t74;
     }
-    const real_t t137 = TB_C(10.0) - start_3;
-    const bool t138 = TB_C(0.0) < tb_max(t23 - t26 - t101, t101 - (t26 + t137));
-    real_t t139, t140, t141, t142, t143;
-    if (t138) {
-        const real_t t144 = tb_min(tb_max(t101, t23), t137);
-        const real_t t145 = t144 / (t65 * t65 + t66 * t66);
-        const real_t t146 = t69 * t145;
-        const real_t t147 = t45 * t65 + t37 * t66;
-        const real_t t148 = t99 - t98;
-        const bool t149 = TB_ABS(t148) <= t61;
-        const real_t t150 = t100 * t145;
-        const real_t t151 = TB_C(1.0) / t148;
-        real_t t152, t153;
-        if (t149) {
-            t152 = -TB_C(1000000000000.0);
-            t153 = TB_C(1000000000000.0);
+    const real_t t122 = TB_C(10.0) - start_3;
+    const bool t123 = TB_C(0.0) < tb_max(t23 - t26 - t94, t94 - (t26 + t122));
+    real_t t124, t125, t126, t127, t128;
+    if (t123) {
+        const real_t t129 = tb_min(tb_max(t94, t23), t122);
+        const real_t t130 = t129 * (TB_C(1.0) / (t65 * t65 + t66 * t66));
+        const real_t t131 = t69 * t130;
+        const real_t t132 = t45 * t65 + t37 * t66;
+        const real_t t133 = t92 - t91;
+        const bool t134 = TB_ABS(t133) <= t61;
+        const real_t t135 = t93 * t130;
+        const real_t t136 = TB_C(1.0) / t133;
+        real_t t137, t138;
+        if (t134) {
+            t137 = -TB_C(1000000000000.0);
+            t138 = TB_C(1000000000000.0);
         } else {
-            const real_t t154 = (t28 + t150) * t151;
-            const real_t t155 = t151 * (t96 + t150);
-            const real_t t156 = tb_min(t154, t155);
-            const real_t t157 = tb_max(t154, t155);
-            t152 = t156;
-            t153 = t157;
+            const real_t t139 = (t28 + t135) * t136;
+            const real_t t140 = t136 * (t89 + t135);
+            t137 = tb_min(t139, t140);
+            t138 = tb_max(t139, t140);
         }
-        const bool t158 = TB_ABS(t68) <= t61;
-        const real_t t159 = t67 * t145;
-        const real_t t160 = TB_C(1.0) / t68;
-        real_t t161, t162;
-        if (t158) {
-            t161 = -TB_C(1000000000000.0);
-            t162 = TB_C(1000000000000.0);
+        const bool t141 = TB_ABS(t68) <= t61;
+        const real_t t142 = t67 * t130;
+        const real_t t143 = TB_C(1.0) / t68;
+        real_t t144, t145;
+        if (t141) {
+            t144 = -TB_C(1000000000000.0);
+            t145 = TB_C(1000000000000.0);
         } else {
-            const real_t t163 = (t30 - t159) * t160;
-            const real_t t164 = t160 * (t55 - t159);
-            const real_t t165 = tb_min(t163, t164);
-            const real_t t166 = tb_max(t163, t164);
-            t161 = t165;
-            t162 = t166;
+            const real_t t146 = (t30 - t142) * t143;
+            const real_t t147 = t143 * (t55 - t142);
+            t144 = tb_min(t146, t147);
+            t145 = tb_max(t146, t147);
         }
-        const bool t167 = TB_ABS(t147) <= t61;
-        const real_t t168 = TB_C(1.0) / t147;
-        real_t t169, t170;
-        if (t167) {
-            t169 = -TB_C(1000000000000.0);
-            t170 = TB_C(1000000000000.0);
+        const bool t148 = TB_ABS(t132) <= t61;
+        const real_t t149 = TB_C(1.0) / t132;
+        real_t t150, t151;
+        if (t148) {
+            t150 = -TB_C(1000000000000.0);
+            t151 = TB_C(1000000000000.0);
         } else {
-            const real_t t171 = (t62 - t146) * t168;
-            const real_t t172 = t168 * (t63 - t146);
-            const real_t t173 = tb_min(t171, t172);
-            const real_t t174 = tb_max(t171, t172);
-            t169 = t173;
-            t170 = t174;
+            const real_t t152 = (t62 - t131) * t149;
+            const real_t t153 = t149 * (t63 - t131);
+            t150 = tb_min(t152, t153);
+            t151 = tb_max(t152, t153);
         }
-        const real_t t175 = tb_max(t161, t169);
-        const real_t t176 = tb_min(t162, t170);
-        const real_t t177 = tb_min(tb_max(TB_C(0.0), tb_max(t152, t175)), tb_min(t153, t176));
-        const real_t t178 = t146 + t147 * t177;
-        const real_t t179 = t159 + t68 * t177;
-        const real_t t180 = t148 * t177 - t150;
-        real_t t181;
-        if (TB_C(0.0) < TB_ABS(t177)) {
-            const real_t t182 = -(t100 * t151);
-            const real_t t183 = t67 * t160;
-            const real_t t184 = t69 * t168;
-            real_t t185;
-            if (TB_C(0.0) < t177) {
-                const real_t t186 = t175 < t152 ? t182 : (t169 < t161 ? t183 : t184);
-                t185 = t186;
+        const real_t t154 = tb_max(t144, t150);
+        const real_t t155 = tb_min(t145, t151);
+        const real_t t156 = tb_min(tb_max(TB_C(0.0), tb_max(t137, t154)), tb_min(t138, t155));
+        real_t t157;
+        if (TB_C(0.0) < TB_ABS(t156)) {
+            const real_t t158 = -(t93 * t136);
+            const real_t t159 = t67 * t143;
+            const real_t t160 = t69 * t149;
+            real_t t161;
+            if (TB_C(0.0) < t156) {
+                t161 = t154 < t137 ? t158 : (t150 < t144 ? t159 : t160);
             } else {
-                const real_t t187 = t153 < t176 ? t182 : (t162 < t170 ? t183 : t184);
-                t185 = t187;
+                t161 = t138 < t155 ? t158 : (t145 < t151 ? t159 : t160);
             }
-            const real_t t188 = t177 * t185;
-            t181 = t188;
+            t157 = t156 * t161;
         } else {
-            t181 = TB_C(0.0);
+            t157 = TB_C(0.0);
         }
-        const real_t t189 = tb_max(TB_C(0.0), t101 < t144 ? t181 - t145 : t145 - t181);
-        t139 = t178;
-        t140 = t179;
-        t141 = t180;
-        t142 = t144;
-        t143 = t189;
+        const real_t t162 = tb_max(TB_C(0.0), t94 < t129 ? t157 - t130 : t130 - t157);
+        t124 = t131 + t132 * t156;
+        t125 = t142 + t68 * t156;
+        t126 = t133 * t156 - t135;
+        t127 = t129;
+        t128 = t162;
     } else {
-        t139 = t102;
-        t140 = t103;
-        t141 = t104;
-        t142 = t101;
-        t143 = t105;
+        t124 = t95;
+        t125 = t96;
+        t126 = t97;
+        t127 = t94;
+        t128 = t98;
     }
-    const real_t tension_0 = tb_min(tb_max(t139 - t48, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t140, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t141, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t142, TB_C(3.0)), TB_C(10.0));
-    const real_t t190 = structure[0] * tension_0 + structure[1] * tension_1;
+    const real_t tension_0 = tb_min(tb_max(t124 - t48, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(start_1 + t125, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(start_2 + t126, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(start_3 + t127, TB_C(3.0)), TB_C(10.0));
+    const real_t t163 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t190 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t191 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t191 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t kkt_residual_0 = tb_max(tb_max(t143, TB_ABS(delivered_0 - wrench[0])),
+    const real_t delivered_0 = t163 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t164 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t164 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t kkt_residual_0 = tb_max(tb_max(t128, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const bool t192 = !(TB_EPSILON * TB_C(4096.0) < t24);
-    const bool t193 = kkt_residual_0 <= t25 * (TB_EPSILON * TB_C(640.0));
-    const bool t194 = !t193;
-    if (t192) {
+    const bool t165 = !(TB_EPSILON * TB_C(4096.0) < t24);
+    const bool t166 = kkt_residual_0 <= t25 * (TB_EPSILON * TB_C(640.0));
+    const bool t167 = !t166;
+    if (t165) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -620,7 +572,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t194) {
+    if (t167) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -710,173 +662,162 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const real_t t46 = TB_C(1.0) / t41;
             const real_t t47 = (t45 - facet_0) * t46;
             const real_t t48 = t46 * (facet_0 + t45);
-            const real_t t49 = tb_max(t47, t48);
-            const real_t t50 = tb_min(t47, t48);
-            t43 = t49;
-            t44 = t50;
+            t43 = tb_max(t47, t48);
+            t44 = tb_min(t47, t48);
         } else {
             t43 = TB_C(1e+30);
             t44 = -TB_C(1e+30);
         }
-        const real_t t51 = wrench[1] * structure[1] - structure[5] * wrench[0];
-        const bool t52 = TB_C(0.0) < TB_ABS(t51);
-        real_t t53, t54;
-        if (t52) {
-            const real_t t55 = t1 * structure[1] - structure[5] * t4;
-            const real_t t56 = TB_C(1.0) / t51;
-            const real_t t57 = (t55 - facet_1) * t56;
-            const real_t t58 = t56 * (facet_1 + t55);
-            const real_t t59 = tb_max(t57, t58);
-            const real_t t60 = tb_min(t57, t58);
-            t53 = t59;
-            t54 = t60;
+        const real_t t49 = wrench[1] * structure[1] - structure[5] * wrench[0];
+        const bool t50 = TB_C(0.0) < TB_ABS(t49);
+        real_t t51, t52;
+        if (t50) {
+            const real_t t53 = t1 * structure[1] - structure[5] * t4;
+            const real_t t54 = TB_C(1.0) / t49;
+            const real_t t55 = (t53 - facet_1) * t54;
+            const real_t t56 = t54 * (facet_1 + t53);
+            t51 = tb_max(t55, t56);
+            t52 = tb_min(t55, t56);
         } else {
-            t53 = TB_C(1e+30);
-            t54 = -TB_C(1e+30);
+            t51 = TB_C(1e+30);
+            t52 = -TB_C(1e+30);
         }
-        const real_t t61 = wrench[1] * structure[2] - structure[6] * wrench[0];
-        const bool t62 = TB_C(0.0) < TB_ABS(t61);
-        real_t t63, t64;
-        if (t62) {
-            const real_t t65 = t1 * structure[2] - structure[6] * t4;
-            const real_t t66 = TB_C(1.0) / t61;
-            const real_t t67 = (t65 - facet_2) * t66;
-            const real_t t68 = t66 * (facet_2 + t65);
-            const real_t t69 = tb_max(t67, t68);
-            const real_t t70 = tb_min(t67, t68);
-            t63 = t69;
-            t64 = t70;
+        const real_t t57 = wrench[1] * structure[2] - structure[6] * wrench[0];
+        const bool t58 = TB_C(0.0) < TB_ABS(t57);
+        real_t t59, t60;
+        if (t58) {
+            const real_t t61 = t1 * structure[2] - structure[6] * t4;
+            const real_t t62 = TB_C(1.0) / t57;
+            const real_t t63 = (t61 - facet_2) * t62;
+            const real_t t64 = t62 * (facet_2 + t61);
+            t59 = tb_max(t63, t64);
+            t60 = tb_min(t63, t64);
         } else {
-            t63 = TB_C(1e+30);
-            t64 = -TB_C(1e+30);
+            t59 = TB_C(1e+30);
+            t60 = -TB_C(1e+30);
         }
-        const real_t t71 = wrench[1] * structure[3] - structure[7] * wrench[0];
-        const bool t72 = TB_C(0.0) < TB_ABS(t71);
-        real_t t73, t74;
-        if (t72) {
-            const real_t t75 = t1 * structure[3] - structure[7] * t4;
-            const real_t t76 = TB_C(1.0) / t71;
-            const real_t t77 = (t75 - facet_3) * t76;
-            const real_t t78 = t76 * (facet_3 + t75);
-            const real_t t79 = tb_max(t77, t78);
-            const real_t t80 = tb_min(t77, t78);
-            t73 = t79;
-            t74 = t80;
+        const real_t t65 = wrench[1] * structure[3] - structure[7] * wrench[0];
+        const bool t66 = TB_C(0.0) < TB_ABS(t65);
+        real_t t67, t68;
+        if (t66) {
+            const real_t t69 = t1 * structure[3] - structure[7] * t4;
+            const real_t t70 = TB_C(1.0) / t65;
+            const real_t t71 = (t69 - facet_3) * t70;
+            const real_t t72 = t70 * (facet_3 + t69);
+            t67 = tb_max(t71, t72);
+            t68 = tb_min(t71, t72);
         } else {
-            t73 = TB_C(1e+30);
-            t74 = -TB_C(1e+30);
+            t67 = TB_C(1e+30);
+            t68 = -TB_C(1e+30);
         }
-        const real_t t81 = tb_min(tb_min(tb_min(t43, t53), t63), t73);
-        const real_t t82 = tb_min(t81, TB_C(1.0));
-        const bool t83 = t82 < tb_max(tb_max(tb_max(t44, t54), t64), t74) || t81 < TB_C(0.0);
-        real_t t84, t85;
-        if (t83) {
-            const bool t86 = TB_C(0.0) < t37;
-            const bool t87 = TB_C(0.0) < t17 - t16;
-            const bool t88 = !t86;
-            const real_t t89 = (t86 && t87) || (t88 && !t87) ? TB_C(10.0) : TB_C(3.0);
-            const bool t90 = TB_C(0.0) < t27 - t26;
-            const real_t t91 = (t86 && t90) || (t88 && !t90) ? TB_C(10.0) : TB_C(3.0);
-            const bool t92 = TB_C(0.0) < t33 - t32;
-            const real_t t93 = (t86 && t92) || (t88 && !t92) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t94 = structure[0] * t89 + structure[1] * t91 + structure[2] * t93;
-            const real_t t95 = structure[4] * t89 + structure[5] * t91 + structure[6] * t93;
-            const real_t t96 = structure[3] * (wrench[0] - t94) + structure[7] * (wrench[1] -
-                t95);
-            const real_t t97 = structure[3] * structure[3] + structure[7] * structure[7];
-            const real_t t98 = tb_min(tb_max(t96 / t97, TB_C(3.0)), TB_C(10.0));
-            const real_t t99 = t94 + structure[3] * t98;
-            const real_t t100 = t99 - wrench[0];
-            const real_t t101 = t95 + structure[7] * t98;
-            const real_t t102 = t101 - wrench[1];
-            const real_t t103 = facet_3 < t38 ? t100 * t100 + t102 * t102 : TB_C(1e+30);
-            const bool t104 = TB_C(0.0) < t30;
-            const bool t105 = TB_C(0.0) < t13 - t12;
-            const bool t106 = !t104;
-            const real_t t107 = (t104 && t105) || (t106 && !t105) ? TB_C(10.0) : TB_C(3.0);
-            const bool t108 = TB_C(0.0) < t23 - t22;
-            const real_t t109 = (t104 && t108) || (t106 && !t108) ? TB_C(10.0) : TB_C(3.0);
-            const bool t110 = TB_C(0.0) <= t34;
-            const real_t t111 = (t104 && t110) || (t106 && !t110) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t112 = structure[0] * t107 + structure[1] * t109 + structure[3] * t111;
-            const real_t t113 = structure[4] * t107 + structure[5] * t109 + structure[7] * t111;
-            const real_t t114 = structure[2] * (wrench[0] - t112) + structure[6] * (wrench[1] -
-                t113);
-            const real_t t115 = structure[2] * structure[2] + structure[6] * structure[6];
-            const real_t t116 = tb_min(tb_max(t114 / t115, TB_C(3.0)), TB_C(10.0));
-            const real_t t117 = t112 + structure[2] * t116;
-            const real_t t118 = t117 - wrench[0];
-            const real_t t119 = t113 + structure[6] * t116;
-            const real_t t120 = t119 - wrench[1];
-            const real_t t121 = facet_2 < t31 ? t118 * t118 + t120 * t120 : TB_C(1e+30);
-            const bool t122 = TB_C(0.0) < t20;
-            const bool t123 = TB_C(0.0) < t9 - t8;
-            const bool t124 = !t122;
-            const real_t t125 = (t122 && t123) || (t124 && !t123) ? TB_C(10.0) : TB_C(3.0);
-            const bool t126 = TB_C(0.0) <= t24;
-            const real_t t127 = (t122 && t126) || (t124 && !t126) ? TB_C(10.0) : TB_C(3.0);
-            const bool t128 = TB_C(0.0) <= t28;
-            const real_t t129 = (t122 && t128) || (t124 && !t128) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t130 = structure[0] * t125 + structure[2] * t127 + structure[3] * t129;
-            const real_t t131 = structure[4] * t125 + structure[6] * t127 + structure[7] * t129;
-            const real_t t132 = structure[1] * (wrench[0] - t130) + structure[5] * (wrench[1] -
-                t131);
-            const real_t t133 = structure[1] * structure[1] + structure[5] * structure[5];
-            const real_t t134 = tb_min(tb_max(t132 / t133, TB_C(3.0)), TB_C(10.0));
-            const real_t t135 = t130 + structure[1] * t134;
-            const real_t t136 = t135 - wrench[0];
-            const real_t t137 = t131 + structure[5] * t134;
-            const real_t t138 = t137 - wrench[1];
-            const real_t t139 = facet_1 < t21 ? t136 * t136 + t138 * t138 : TB_C(1e+30);
-            const bool t140 = TB_C(0.0) < t6;
-            const bool t141 = TB_C(0.0) <= t10;
-            const bool t142 = !t140;
-            const real_t t143 = (t140 && t141) || (t142 && !t141) ? TB_C(10.0) : TB_C(3.0);
-            const bool t144 = TB_C(0.0) <= t14;
-            const real_t t145 = (t140 && t144) || (t142 && !t144) ? TB_C(10.0) : TB_C(3.0);
-            const bool t146 = TB_C(0.0) <= t18;
-            const real_t t147 = (t140 && t146) || (t142 && !t146) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t148 = structure[1] * t143 + structure[2] * t145 + structure[3] * t147;
-            const real_t t149 = structure[5] * t143 + structure[6] * t145 + structure[7] * t147;
-            const real_t t150 = structure[0] * (wrench[0] - t148) + structure[4] * (wrench[1] -
-                t149);
-            const real_t t151 = structure[0] * structure[0] + structure[4] * structure[4];
-            const real_t t152 = tb_min(tb_max(t150 / t151, TB_C(3.0)), TB_C(10.0));
-            const real_t t153 = t148 + structure[0] * t152;
-            const real_t t154 = t153 - wrench[0];
-            const real_t t155 = t149 + structure[4] * t152;
-            const real_t t156 = t155 - wrench[1];
-            const real_t t157 = facet_0 < t7 ? t154 * t154 + t156 * t156 : TB_C(1e+30);
-            const bool t158 = t157 < TB_C(1e+30);
-            const real_t t159 = t158 ? t157 : TB_C(1e+30);
-            const bool t160 = t139 < t159;
-            const real_t t161 = t160 ? t139 : t159;
-            const bool t162 = t121 < t161;
-            real_t t163, t164, t165;
-            if (t162) {
-                t163 = t121;
-                t164 = t117;
-                t165 = t119;
+        const real_t t73 = tb_min(tb_min(tb_min(t43, t51), t59), t67);
+        const real_t t74 = tb_min(t73, TB_C(1.0));
+        const bool t75 = t74 < tb_max(tb_max(tb_max(t44, t52), t60), t68) || t73 < TB_C(0.0);
+        real_t t76, t77;
+        if (t75) {
+            const bool t78 = TB_C(0.0) < t37;
+            const bool t79 = TB_C(0.0) < t17 - t16;
+            const bool t80 = !t78;
+            const real_t t81 = (t78 && t79) || (t80 && !t79) ? TB_C(10.0) : TB_C(3.0);
+            const bool t82 = TB_C(0.0) < t27 - t26;
+            const real_t t83 = (t78 && t82) || (t80 && !t82) ? TB_C(10.0) : TB_C(3.0);
+            const bool t84 = TB_C(0.0) < t33 - t32;
+            const real_t t85 = (t78 && t84) || (t80 && !t84) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t86 = structure[0] * t81 + structure[1] * t83 + structure[2] * t85;
+            const real_t t87 = structure[4] * t81 + structure[5] * t83 + structure[6] * t85;
+            const real_t t88 = structure[3] * (wrench[0] - t86) + structure[7] * (wrench[1] -
+                t87);
+            const real_t t89 = structure[3] * structure[3] + structure[7] * structure[7];
+            const real_t t90 = tb_min(tb_max(t88 * (TB_C(1.0) / t89), TB_C(3.0)), TB_C(10.0));
+            const real_t t91 = t86 + structure[3] * t90;
+            const real_t t92 = t91 - wrench[0];
+            const real_t t93 = t87 + structure[7] * t90;
+            const real_t t94 = t93 - wrench[1];
+            const real_t t95 = facet_3 < t38 ? t92 * t92 + t94 * t94 : TB_C(1e+30);
+            const bool t96 = TB_C(0.0) < t30;
+            const bool t97 = TB_C(0.0) < t13 - t12;
+            const bool t98 = !t96;
+            const real_t t99 = (t96 && t97) || (t98 && !t97) ? TB_C(10.0) : TB_C(3.0);
+            const bool t100 = TB_C(0.0) < t23 - t22;
+            const real_t t101 = (t96 && t100) || (t98 && !t100) ? TB_C(10.0) : TB_C(3.0);
+            const bool t102 = TB_C(0.0) <= t34;
+            const real_t t103 = (t96 && t102) || (t98 && !t102) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t104 = structure[0] * t99 + structure[1] * t101 + structure[3] * t103;
+            const real_t t105 = structure[4] * t99 + structure[5] * t101 + structure[7] * t103;
+            const real_t t106 = structure[2] * (wrench[0] - t104) + structure[6] * (wrench[1] -
+                t105);
+            const real_t t107 = structure[2] * structure[2] + structure[6] * structure[6];
+            const real_t t108 = tb_min(tb_max(t106 * (TB_C(1.0) / t107), TB_C(3.0)),
+                TB_C(10.0));
+            const real_t t109 = t104 + structure[2] * t108;
+            const real_t t110 = t109 - wrench[0];
+            const real_t t111 = t105 + structure[6] * t108;
+            const real_t t112 = t111 - wrench[1];
+            const real_t t113 = facet_2 < t31 ? t110 * t110 + t112 * t112 : TB_C(1e+30);
+            const bool t114 = TB_C(0.0) < t20;
+            const bool t115 = TB_C(0.0) < t9 - t8;
+            const bool t116 = !t114;
+            const real_t t117 = (t114 && t115) || (t116 && !t115) ? TB_C(10.0) : TB_C(3.0);
+            const bool t118 = TB_C(0.0) <= t24;
+            const real_t t119 = (t114 && t118) || (t116 && !t118) ? TB_C(10.0) : TB_C(3.0);
+            const bool t120 = TB_C(0.0) <= t28;
+            const real_t t121 = (t114 && t120) || (t116 && !t120) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t122 = structure[0] * t117 + structure[2] * t119 + structure[3] * t121;
+            const real_t t123 = structure[4] * t117 + structure[6] * t119 + structure[7] * t121;
+            const real_t t124 = structure[1] * (wrench[0] - t122) + structure[5] * (wrench[1] -
+                t123);
+            const real_t t125 = structure[1] * structure[1] + structure[5] * structure[5];
+            const real_t t126 = tb_min(tb_max(t124 * (TB_C(1.0) / t125), TB_C(3.0)),
+                TB_C(10.0));
+            const real_t t127 = t122 + structure[1] * t126;
+            const real_t t128 = t127 - wrench[0];
+            const real_t t129 = t123 + structure[5] * t126;
+            const real_t t130 = t129 - wrench[1];
+            const real_t t131 = facet_1 < t21 ? t128 * t128 + t130 * t130 : TB_C(1e+30);
+            const bool t132 = TB_C(0.0) < t6;
+            const bool t133 = TB_C(0.0) <= t10;
+            const bool t134 = !t132;
+            const real_t t135 = (t132 && t133) || (t134 && !t133) ? TB_C(10.0) : TB_C(3.0);
+            const bool t136 = TB_C(0.0) <= t14;
+            const real_t t137 = (t132 && t136) || (t134 && !t136) ? TB_C(10.0) : TB_C(3.0);
+            const bool t138 = TB_C(0.0) <= t18;
+            const real_t t139 = (t132 && t138) || (t134 && !t138) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t140 = structure[1] * t135 + structure[2] * t137 + structure[3] * t139;
+            const real_t t141 = structure[5] * t135 + structure[6] * t137 + structure[7] * t139;
+            const real_t t142 = structure[0] * (wrench[0] - t140) + structure[4] * (wrench[1] -
+                t141);
+            const real_t t143 = structure[0] * structure[0] + structure[4] * structure[4];
+            const real_t t144 = tb_min(tb_max(t142 * (TB_C(1.0) / t143), TB_C(3.0)),
+                TB_C(10.0));
+            const real_t t145 = t140 + structure[0] * t144;
+            const real_t t146 = t145 - wrench[0];
+            const real_t t147 = t141 + structure[4] * t144;
+            const real_t t148 = t147 - wrench[1];
+            const real_t t149 = facet_0 < t7 ? t146 * t146 + t148 * t148 : TB_C(1e+30);
+            const bool t150 = t149 < TB_C(1e+30);
+            const real_t t151 = t150 ? t149 : TB_C(1e+30);
+            const bool t152 = t131 < t151;
+            const real_t t153 = t152 ? t131 : t151;
+            const bool t154 = t113 < t153;
+            real_t t155, t156, t157;
+            if (t154) {
+                t155 = t113;
+                t156 = t109;
+                t157 = t111;
             } else {
-                const real_t t166 = t160 ? t135 : (t158 ? t153 : TB_C(0.0));
-                const real_t t167 = t160 ? t137 : (t158 ? t155 : TB_C(0.0));
-                t163 = t161;
-                t164 = t166;
-                t165 = t167;
+                t155 = t153;
+                t156 = t152 ? t127 : (t150 ? t145 : TB_C(0.0));
+                t157 = t152 ? t129 : (t150 ? t147 : TB_C(0.0));
             }
-            const bool t168 = t103 < t163;
-            const real_t t169 = t168 ? t99 : t164;
-            const real_t t170 = t168 ? t101 : t165;
-            t84 = t169;
-            t85 = t170;
+            const bool t158 = t95 < t155;
+            t76 = t158 ? t91 : t156;
+            t77 = t158 ? t93 : t157;
         } else {
-            const real_t t171 = wrench[0] * t82;
-            const real_t t172 = wrench[1] * t82;
-            t84 = t171;
-            t85 = t172;
+            t76 = wrench[0] * t74;
+            t77 = wrench[1] * t74;
         }
-        served_0 = t84;
-        served_1 = t85;
+        served_0 = t76;
+        served_1 = t77;
     }
     served[0] = served_0;
     served[1] = served_1;
@@ -955,7 +896,7 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t48 = structure[4] * t42 + structure[5] * t44 + structure[6] * t46;
         const real_t t49 = structure[3] * (wrench[0] - t47) + structure[7] * (wrench[1] - t48);
         const real_t t50 = structure[3] * structure[3] + structure[7] * structure[7];
-        const real_t t51 = tb_min(tb_max(t49 / t50, TB_C(3.0)), TB_C(10.0));
+        const real_t t51 = tb_min(tb_max(t49 * (TB_C(1.0) / t50), TB_C(3.0)), TB_C(10.0));
         const real_t t52 = t47 + structure[3] * t51;
         const real_t t53 = t52 - wrench[0];
         const real_t t54 = t48 + structure[7] * t51;
@@ -973,7 +914,7 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t66 = structure[4] * t60 + structure[5] * t62 + structure[7] * t64;
         const real_t t67 = structure[2] * (wrench[0] - t65) + structure[6] * (wrench[1] - t66);
         const real_t t68 = structure[2] * structure[2] + structure[6] * structure[6];
-        const real_t t69 = tb_min(tb_max(t67 / t68, TB_C(3.0)), TB_C(10.0));
+        const real_t t69 = tb_min(tb_max(t67 * (TB_C(1.0) / t68), TB_C(3.0)), TB_C(10.0));
         const real_t t70 = t65 + structure[2] * t69;
         const real_t t71 = t70 - wrench[0];
         const real_t t72 = t66 + structure[6] * t69;
@@ -991,7 +932,7 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t84 = structure[4] * t78 + structure[6] * t80 + structure[7] * t82;
         const real_t t85 = structure[1] * (wrench[0] - t83) + structure[5] * (wrench[1] - t84);
         const real_t t86 = structure[1] * structure[1] + structure[5] * structure[5];
-        const real_t t87 = tb_min(tb_max(t85 / t86, TB_C(3.0)), TB_C(10.0));
+        const real_t t87 = tb_min(tb_max(t85 * (TB_C(1.0) / t86), TB_C(3.0)), TB_C(10.0));
         const real_t t88 = t83 + structure[1] * t87;
         const real_t t89 = t88 - wrench[0];
         const real_t t90 = t84 + structure[5] * t87;
@@ -1010,7 +951,7 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t103 = structure[0] * (wrench[0] - t101) + structure[4] * (wrench[1] -
             t102);
         const real_t t104 = structure[0] * structure[0] + structure[4] * structure[4];
-        const real_t t105 = tb_min(tb_max(t103 / t104, TB_C(3.0)), TB_C(10.0));
+        const real_t t105 = tb_min(tb_max(t103 * (TB_C(1.0) / t104), TB_C(3.0)), TB_C(10.0));
         const real_t t106 = t101 + structure[0] * t105;
         const real_t t107 = t106 - wrench[0];
         const real_t t108 = t102 + structure[4] * t105;
@@ -1027,17 +968,13 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
             t117 = t70;
             t118 = t72;
         } else {
-            const real_t t119 = t113 ? t88 : (t111 ? t106 : TB_C(0.0));
-            const real_t t120 = t113 ? t90 : (t111 ? t108 : TB_C(0.0));
             t116 = t114;
-            t117 = t119;
-            t118 = t120;
+            t117 = t113 ? t88 : (t111 ? t106 : TB_C(0.0));
+            t118 = t113 ? t90 : (t111 ? t108 : TB_C(0.0));
         }
-        const bool t121 = t56 < t116;
-        const real_t t122 = t121 ? t52 : t117;
-        const real_t t123 = t121 ? t54 : t118;
-        served_0 = t122;
-        served_1 = t123;
+        const bool t119 = t56 < t116;
+        served_0 = t119 ? t52 : t117;
+        served_1 = t119 ? t54 : t118;
     }
     served[0] = served_0;
     served[1] = served_1;
@@ -1084,7 +1021,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t20 = t9 * t17;
     const real_t t21 = structure[1] * t19 - t4 * t14 + structure[2] * t20;
     const real_t t22 = t6 * (t21 + structure[3] * t18);
-    /* T0, the least-norm tensions that exert the wrench */
+    /* the least-norm tensions that exert the wrench */
     const real_t start_3 = t18 - structure[3] * t22;
     const real_t t23 = TB_C(3.0) - start_3;
     const real_t t24 = TB_C(3.0) + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
@@ -1139,7 +1076,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     real_t t71, t72, t73, t74, t75;
     if (t57) {
         const real_t t76 = tb_min(tb_max(t54, t30), t55);
-        const real_t t77 = t76 / (t39 * t39 + t47 * t47);
+        const real_t t77 = t76 * (TB_C(1.0) / (t39 * t39 + t47 * t47));
         const real_t t78 = t39 * t46 - t38 * t47;
         const bool t79 = TB_ABS(t78) <= t62;
         const real_t t80 = t48 * t77;
@@ -1151,210 +1088,179 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
         } else {
             const real_t t84 = (t63 - t80) * t81;
             const real_t t85 = t81 * (t64 - t80);
-            const real_t t86 = tb_min(t84, t85);
-            const real_t t87 = tb_max(t84, t85);
-            t82 = t86;
-            t83 = t87;
+            t82 = tb_min(t84, t85);
+            t83 = tb_max(t84, t85);
         }
-        const real_t t88 = tb_min(tb_max(TB_C(0.0), t82), t83);
-        const real_t t89 = t60 * t77 + t61 * t88;
-        const real_t t90 = t77 * t68 - t88 * t69;
-        const real_t t91 = TB_C(0.0) < TB_ABS(t88) ? t88 * (t48 * t81) : TB_C(0.0);
-        const real_t t92 = tb_max(TB_C(0.0), t54 < t76 ? t91 - t77 : t77 - t91);
-        const real_t t93 = t80 + t78 * t88;
-        t71 = t89;
-        t72 = t90;
-        t73 = t92;
-        t74 = t93;
+        const real_t t86 = tb_min(tb_max(TB_C(0.0), t82), t83);
+        const real_t t87 = TB_C(0.0) < TB_ABS(t86) ? t86 * (t48 * t81) : TB_C(0.0);
+        const real_t t88 = tb_max(TB_C(0.0), t54 < t76 ? t87 - t77 : t77 - t87);
+        t71 = t60 * t77 + t61 * t86;
+        t72 = t77 * t68 - t86 * t69;
+        t73 = t88;
+        t74 = t80 + t78 * t86;
         t75 = t76;
     } else {
-        const real_t t94 = t53 * t65;
-        const real_t t95 = t53 * t70;
-        t71 = t94;
-        t72 = t95;
+        t71 = t53 * t65;
+        t72 = t53 * t70;
         t73 = TB_C(0.0);
         t74 = t52;
         t75 = t54;
     }
-    const real_t t96 = TB_C(1000000000000.0) - start_2;
-    const real_t t97 = t27 + t96;
-    const bool t98 = TB_C(0.0) < tb_max(t29 - t71, t71 - t97);
-    const real_t t99 = t59 * t67;
-    const real_t t100 = t58 * t66;
-    const real_t t101 = t59 * t66 + t58 * t67;
-    real_t t102, t103, t104, t105, t106;
-    if (t98) {
-        const bool t107 = TB_ABS(t61) <= t62;
-        const real_t t108 = tb_min(tb_max(t71, t28), t96);
-        const real_t t109 = t108 / (t59 * t59 + t58 * t58);
-        const real_t t110 = t60 * t109;
-        const real_t t111 = TB_C(1.0) / t61;
-        real_t t112, t113;
-        if (t107) {
-            t112 = -TB_C(1000000000000.0);
-            t113 = TB_C(1000000000000.0);
+    const real_t t89 = TB_C(1000000000000.0) - start_2;
+    const real_t t90 = t27 + t89;
+    const bool t91 = TB_C(0.0) < tb_max(t29 - t71, t71 - t90);
+    const real_t t92 = t59 * t67;
+    const real_t t93 = t58 * t66;
+    const real_t t94 = t59 * t66 + t58 * t67;
+    real_t t95, t96, t97, t98, t99;
+    if (t91) {
+        const bool t100 = TB_ABS(t61) <= t62;
+        const real_t t101 = tb_min(tb_max(t71, t28), t89);
+        const real_t t102 = t101 * (TB_C(1.0) / (t59 * t59 + t58 * t58));
+        const real_t t103 = t60 * t102;
+        const real_t t104 = TB_C(1.0) / t61;
+        real_t t105, t106;
+        if (t100) {
+            t105 = -TB_C(1000000000000.0);
+            t106 = TB_C(1000000000000.0);
         } else {
-            const real_t t114 = -((t31 - t110) * t111);
-            const real_t t115 = -(t111 * (t56 - t110));
-            const real_t t116 = tb_min(t114, t115);
-            const real_t t117 = tb_max(t114, t115);
-            t112 = t116;
-            t113 = t117;
+            const real_t t107 = -((t31 - t103) * t104);
+            const real_t t108 = -(t104 * (t56 - t103));
+            t105 = tb_min(t107, t108);
+            t106 = tb_max(t107, t108);
         }
-        const real_t t118 = t46 * t59 + t38 * t58;
-        const bool t119 = TB_ABS(t118) <= t62;
-        const real_t t120 = t65 * t109;
-        const real_t t121 = TB_C(1.0) / t118;
-        real_t t122, t123;
-        if (t119) {
-            t122 = -TB_C(1000000000000.0);
-            t123 = TB_C(1000000000000.0);
+        const real_t t109 = t46 * t59 + t38 * t58;
+        const bool t110 = TB_ABS(t109) <= t62;
+        const real_t t111 = t65 * t102;
+        const real_t t112 = TB_C(1.0) / t109;
+        real_t t113, t114;
+        if (t110) {
+            t113 = -TB_C(1000000000000.0);
+            t114 = TB_C(1000000000000.0);
         } else {
-            const real_t t124 = -((t63 - t120) * t121);
-            const real_t t125 = -(t121 * (t64 - t120));
-            const real_t t126 = tb_min(t124, t125);
-            const real_t t127 = tb_max(t124, t125);
-            t122 = t126;
-            t123 = t127;
+            const real_t t115 = -((t63 - t111) * t112);
+            const real_t t116 = -(t112 * (t64 - t111));
+            t113 = tb_min(t115, t116);
+            t114 = tb_max(t115, t116);
         }
-        const real_t t128 = tb_min(tb_max(TB_C(0.0), tb_max(t112, t122)), tb_min(t113, t123));
-        const real_t t129 = (t99 - t100) * t128 - t109 * t101;
-        real_t t130;
-        if (TB_C(0.0) < TB_ABS(t128)) {
-            const real_t t131 = -(t60 * t111);
-            const real_t t132 = -(t65 * t121);
-            const real_t t133 = TB_C(0.0) < t128 ? (t122 < t112 ? t131 : t132) : (t113 < t123 ?
-                t131 : t132);
-            const real_t t134 = t128 * t133;
-            t130 = t134;
+        const real_t t117 = tb_min(tb_max(TB_C(0.0), tb_max(t105, t113)), tb_min(t106, t114));
+        real_t t118;
+        if (TB_C(0.0) < TB_ABS(t117)) {
+            const real_t t119 = -(t60 * t104);
+            const real_t t120 = -(t65 * t112);
+            const real_t t121 = TB_C(0.0) < t117 ? (t113 < t105 ? t119 : t120) : (t106 < t114 ?
+                t119 : t120);
+            t118 = t117 * t121;
         } else {
-            t130 = TB_C(0.0);
+            t118 = TB_C(0.0);
         }
-        const real_t t135 = tb_max(TB_C(0.0), t71 < t108 ? t130 - t109 : t109 - t130);
-        const real_t t136 = t120 - t118 * t128;
-        const real_t t137 = t110 - t61 * t128;
-        t102 = t129;
-        t103 = t135;
-        t104 = t136;
-        t105 = t137;
-        t106 = t108;
+        const real_t t122 = tb_max(TB_C(0.0), t71 < t101 ? t118 - t102 : t102 - t118);
+        t95 = (t92 - t93) * t117 - t102 * t94;
+        t96 = t122;
+        t97 = t111 - t109 * t117;
+        t98 = t103 - t61 * t117;
+        t99 = t101;
     } else {
-        t102 = t72;
-        t103 = t73;
-        t104 = t74;
-        t105 = t75;
-        t106 = t71;
+        t95 = t72;
+        t96 = t73;
+        t97 = t74;
+        t98 = t75;
+        t99 = t71;
     }
-    const real_t t138 = TB_C(1000000000000.0) - start_3;
-    const bool t139 = TB_C(0.0) < tb_max(t23 - t27 - t102, t102 - (t27 + t138));
-    real_t t140, t141, t142, t143, t144;
-    if (t139) {
-        const real_t t145 = tb_min(tb_max(t102, t23), t138);
-        const real_t t146 = t145 / (t66 * t66 + t67 * t67);
-        const real_t t147 = t100 - t99;
+    const real_t t123 = TB_C(1000000000000.0) - start_3;
+    const bool t124 = TB_C(0.0) < tb_max(t23 - t27 - t95, t95 - (t27 + t123));
+    real_t t125, t126, t127, t128, t129;
+    if (t124) {
+        const real_t t130 = tb_min(tb_max(t95, t23), t123);
+        const real_t t131 = t130 * (TB_C(1.0) / (t66 * t66 + t67 * t67));
+        const real_t t132 = t93 - t92;
+        const bool t133 = TB_ABS(t132) <= t62;
+        const real_t t134 = t94 * t131;
+        const real_t t135 = TB_C(1.0) / t132;
+        real_t t136, t137;
+        if (t133) {
+            t136 = -TB_C(1000000000000.0);
+            t137 = TB_C(1000000000000.0);
+        } else {
+            const real_t t138 = (t29 + t134) * t135;
+            const real_t t139 = t135 * (t90 + t134);
+            t136 = tb_min(t138, t139);
+            t137 = tb_max(t138, t139);
+        }
+        const bool t140 = TB_ABS(t69) <= t62;
+        const real_t t141 = t68 * t131;
+        const real_t t142 = TB_C(1.0) / t69;
+        real_t t143, t144;
+        if (t140) {
+            t143 = -TB_C(1000000000000.0);
+            t144 = TB_C(1000000000000.0);
+        } else {
+            const real_t t145 = (t31 - t141) * t142;
+            const real_t t146 = t142 * (t56 - t141);
+            t143 = tb_min(t145, t146);
+            t144 = tb_max(t145, t146);
+        }
+        const real_t t147 = t46 * t66 + t38 * t67;
         const bool t148 = TB_ABS(t147) <= t62;
-        const real_t t149 = t101 * t146;
+        const real_t t149 = t70 * t131;
         const real_t t150 = TB_C(1.0) / t147;
         real_t t151, t152;
         if (t148) {
             t151 = -TB_C(1000000000000.0);
             t152 = TB_C(1000000000000.0);
         } else {
-            const real_t t153 = (t29 + t149) * t150;
-            const real_t t154 = t150 * (t97 + t149);
-            const real_t t155 = tb_min(t153, t154);
-            const real_t t156 = tb_max(t153, t154);
-            t151 = t155;
-            t152 = t156;
+            const real_t t153 = (t63 - t149) * t150;
+            const real_t t154 = t150 * (t64 - t149);
+            t151 = tb_min(t153, t154);
+            t152 = tb_max(t153, t154);
         }
-        const bool t157 = TB_ABS(t69) <= t62;
-        const real_t t158 = t68 * t146;
-        const real_t t159 = TB_C(1.0) / t69;
-        real_t t160, t161;
-        if (t157) {
-            t160 = -TB_C(1000000000000.0);
-            t161 = TB_C(1000000000000.0);
-        } else {
-            const real_t t162 = (t31 - t158) * t159;
-            const real_t t163 = t159 * (t56 - t158);
-            const real_t t164 = tb_min(t162, t163);
-            const real_t t165 = tb_max(t162, t163);
-            t160 = t164;
-            t161 = t165;
-        }
-        const real_t t166 = t46 * t66 + t38 * t67;
-        const bool t167 = TB_ABS(t166) <= t62;
-        const real_t t168 = t70 * t146;
-        const real_t t169 = TB_C(1.0) / t166;
-        real_t t170, t171;
-        if (t167) {
-            t170 = -TB_C(1000000000000.0);
-            t171 = TB_C(1000000000000.0);
-        } else {
-            const real_t t172 = (t63 - t168) * t169;
-            const real_t t173 = t169 * (t64 - t168);
-            const real_t t174 = tb_min(t172, t173);
-            const real_t t175 = tb_max(t172, t173);
-            t170 = t174;
-            t171 = t175;
-        }
-        const real_t t176 = tb_max(t160, t170);
-        const real_t t177 = tb_min(t161, t171);
-        const real_t t178 = tb_min(tb_max(TB_C(0.0), tb_max(t151, t176)), tb_min(t152, t177));
-        real_t t179;
-        if (TB_C(0.0) < TB_ABS(t178)) {
-            const real_t t180 = -(t101 * t150);
-            const real_t t181 = t68 * t159;
-            const real_t t182 = t70 * t169;
-            real_t t183;
-            if (TB_C(0.0) < t178) {
-                const real_t t184 = t176 < t151 ? t180 : (t170 < t160 ? t181 : t182);
-                t183 = t184;
+        const real_t t155 = tb_max(t143, t151);
+        const real_t t156 = tb_min(t144, t152);
+        const real_t t157 = tb_min(tb_max(TB_C(0.0), tb_max(t136, t155)), tb_min(t137, t156));
+        real_t t158;
+        if (TB_C(0.0) < TB_ABS(t157)) {
+            const real_t t159 = -(t94 * t135);
+            const real_t t160 = t68 * t142;
+            const real_t t161 = t70 * t150;
+            real_t t162;
+            if (TB_C(0.0) < t157) {
+                t162 = t155 < t136 ? t159 : (t151 < t143 ? t160 : t161);
             } else {
-                const real_t t185 = t152 < t177 ? t180 : (t161 < t171 ? t181 : t182);
-                t183 = t185;
+                t162 = t137 < t156 ? t159 : (t144 < t152 ? t160 : t161);
             }
-            const real_t t186 = t178 * t183;
-            t179 = t186;
+            t158 = t157 * t162;
         } else {
-            t179 = TB_C(0.0);
+            t158 = TB_C(0.0);
         }
-        const real_t t187 = tb_max(TB_C(0.0), t102 < t145 ? t179 - t146 : t146 - t179);
-        const real_t t188 = t168 + t166 * t178;
-        const real_t t189 = t158 + t69 * t178;
-        const real_t t190 = t147 * t178 - t149;
-        t140 = t187;
-        t141 = t188;
-        t142 = t189;
-        t143 = t190;
-        t144 = t145;
+        const real_t t163 = tb_max(TB_C(0.0), t95 < t130 ? t158 - t131 : t131 - t158);
+        t125 = t163;
+        t126 = t149 + t147 * t157;
+        t127 = t141 + t69 * t157;
+        t128 = t132 * t157 - t134;
+        t129 = t130;
     } else {
-        t140 = t103;
-        t141 = t104;
-        t142 = t105;
-        t143 = t106;
-        t144 = t102;
+        t125 = t96;
+        t126 = t97;
+        t127 = t98;
+        t128 = t99;
+        t129 = t95;
     }
-    const real_t t191 = tb_min(tb_max(t141 - t49, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t192 = tb_min(tb_max(start_1 + t142, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t193 = tb_min(tb_max(start_2 + t143, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t194 = structure[0] * t191 + structure[1] * t192 + structure[2] * t193;
-    const real_t t195 = tb_min(tb_max(start_3 + t144, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t196 = tb_max(t140, TB_ABS(t194 + structure[3] * t195 - wrench[0]));
-    const real_t t197 = structure[4] * t191 + structure[5] * t192 + structure[6] * t193;
-    const real_t t198 = tb_max(t196, TB_ABS(t197 + structure[7] * t195 - wrench[1]));
-    const bool t199 = t198 <= t26 * (t24 * (TB_EPSILON * TB_C(64.0)));
+    const real_t t164 = tb_min(tb_max(t126 - t49, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t165 = tb_min(tb_max(start_1 + t127, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t166 = tb_min(tb_max(start_2 + t128, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t167 = structure[0] * t164 + structure[1] * t165 + structure[2] * t166;
+    const real_t t168 = tb_min(tb_max(start_3 + t129, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t169 = tb_max(t125, TB_ABS(t167 + structure[3] * t168 - wrench[0]));
+    const real_t t170 = structure[4] * t164 + structure[5] * t165 + structure[6] * t166;
+    const real_t t171 = tb_max(t169, TB_ABS(t170 + structure[7] * t168 - wrench[1]));
+    const bool t172 = t171 <= t26 * (t24 * (TB_EPSILON * TB_C(64.0)));
     real_t tension_0, tension_1, tension_2, tension_3, kkt_residual_0;
-    if (t199) {
-        const real_t t200 = tb_min(t191, TB_C(10.0));
-        const real_t t201 = tb_min(t192, TB_C(10.0));
-        const real_t t202 = tb_min(t193, TB_C(10.0));
-        const real_t t203 = tb_min(t195, TB_C(10.0));
-        tension_0 = t200;
-        tension_1 = t201;
-        tension_2 = t202;
-        tension_3 = t203;
-        kkt_residual_0 = t198;
+    if (t172) {
+        tension_0 = tb_min(t164, TB_C(10.0));
+        tension_1 = tb_min(t165, TB_C(10.0));
+        tension_2 = tb_min(t166, TB_C(10.0));
+        tension_3 = tb_min(t168, TB_C(10.0));
+        kkt_residual_0 = t171;
     } else {
         tension_0 = TB_C(3.0);
         tension_1 = TB_C(3.0);
@@ -1362,15 +1268,16 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
         tension_3 = TB_C(3.0);
         kkt_residual_0 = TB_C(0.0);
     }
-    const real_t t204 = structure[0] * tension_0 + structure[1] * tension_1;
+    const bool t173 = !t172;
+    const real_t t174 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t204 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t205 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t205 + structure[6] * tension_2 + structure[7] * tension_3;
-    const bool t206 = !(TB_EPSILON * TB_C(4096.0) < t25);
-    const bool t207 = TB_C(10.0) < t191 || TB_C(10.0) < t192 || TB_C(10.0) < t193;
-    const bool t208 = !t199 || (t207 || TB_C(10.0) < t195);
-    if (t206) {
+    const real_t delivered_0 = t174 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t175 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t175 + structure[6] * tension_2 + structure[7] * tension_3;
+    const bool t176 = !(TB_EPSILON * TB_C(4096.0) < t25);
+    const bool t177 = TB_C(10.0) < t164 || TB_C(10.0) < t165 || TB_C(10.0) < t166;
+    const bool t178 = t177 || TB_C(10.0) < t168;
+    if (t176) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -1387,7 +1294,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     delivered[0] = delivered_0;
     delivered[1] = delivered_1;
     kkt_residual[0] = kkt_residual_0;
-    return t208 ? TB_INFEASIBLE : TB_OK;
+    return (t173 || t178) ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from model.symbolic.function import Label
 from model.symbolic.linear import cross, dot, factorise, transpose
 from model.symbolic.polytope import Line, Plane
 from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt
@@ -21,6 +22,7 @@ class NullSpace:
     start: Vector
     space: Line | Plane
     pivot: Scalar
+    labels: tuple[Label, ...] = ()
 
 
 class UnsupportedRedundancyError(Exception):
@@ -71,10 +73,12 @@ def crossed(matrix: Matrix, wrench: Vector) -> NullSpace:
     halves = [squares[0, 1] + squares[2, 3], squares[0, 2] + squares[1, 3]]
     determinant = (halves[0] + halves[1]) + (squares[0, 3] + squares[1, 2])
     heights = [cross(column, wrench) for column in columns]
-    inverse = 1 / determinant
-    start = [dot([row[i] for row in crosses], heights) * inverse for i in range(4)]
+    start = [dot([row[i] for row in crosses], heights) / determinant for i in range(4)]
     plane = Plane(crossed_shares(crosses, squares), crossed_slopes(crosses), determinant)
-    return NullSpace(start, plane, sqrt(determinant) / 2)
+    pairs = [Label(f"cross_{i}{k}", [crosses[i][k]]) for i, k in _COMPLEMENTS]
+    height = Label("height", heights, "s_i x W")
+    whole = Label("determinant", [determinant], "det S S', Cauchy-Binet")
+    return NullSpace(start, plane, sqrt(determinant) / 2, (*pairs, height, whole))
 
 
 def crossed_shares(crosses: Matrix, squares: dict[tuple[int, int], Scalar]) -> Matrix:

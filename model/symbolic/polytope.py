@@ -116,8 +116,7 @@ class Plane:
     def moved(self, slabs: Slabs, number: int, level: Scalar) -> Nearest:
         """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
         side = clamp(level, slabs.low[number], slabs.high[number])
-        # The reciprocal does not wait for the side: half the time to the next comparison.
-        height = side * (1 / self.shares[number][number])
+        height = side / self.shares[number][number]
         position, multiplier = self.slide(slabs, number, height)
         shift = [
             share * height + slope * position

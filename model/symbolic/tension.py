@@ -175,10 +175,11 @@ def paper_function(machine: Machine) -> ModelFunction:
         (
             rank_lost(space),
             Verdict(
-                ca.logic_or(ca.logic_not(solved), exceeds),
+                ca.logic_not(solved),
                 Status.INFEASIBLE,
-                "a tension was clipped, or eq. 22 has no solution and every cable holds T_min",
+                "eq. 22 has no solution, and every cable holds T_min",
             ),
+            Verdict(exceeds, Status.INFEASIBLE, "eq. 23 clipped a tension"),
         ),
         solution_labels(space, answer),
     )
@@ -187,7 +188,8 @@ def paper_function(machine: Machine) -> ModelFunction:
 def solution_labels(space: NullSpace, solution: Solution) -> tuple[Label, ...]:
     """Names for what every distribution computes."""
     return (
-        Label("start", space.start, "T0, the least-norm tensions that exert the wrench"),
+        *space.labels,
+        Label("start", space.start, "the least-norm tensions that exert the wrench"),
         Label("delivered", solution.delivered, "what the tensions exert, S T"),
     )
 
