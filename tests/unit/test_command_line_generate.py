@@ -1,0 +1,100 @@
+"""`turnbuckle generate`: what it writes, where, and what it leaves alone."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+import codegen.generate
+from codegen.generate import generate
+from model.machine import load_machine
+from turnbuckle import app
+
+ROOT = Path(__file__).parents[2]
+STOCK = ROOT / "machines" / "yoon2023.toml"
+TURNBUCKLE = Path(sys.executable).with_name("turnbuckle")
+
+
+@pytest.fixture(scope="module")
+def files() -> dict[str, str]:
+    """The generated files of the stock machine."""
+    return generate(load_machine(STOCK))
+
+
+@pytest.fixture
+def run(files: dict[str, str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """Generation takes no time in these tests; they run in an empty folder."""
+    monkeypatch.setattr(codegen.generate, "generate", lambda machine: files)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def invoke(*arguments: str | Path) -> Result:
+    """Run `turnbuckle generate` in this process, successfully."""
+    result = CliRunner().invoke(app, ["generate", *map(str, arguments)])
+    assert result.exit_code == 0, result.stderr
+    return result
+
+
+def read(folder: Path) -> dict[str, str]:
+    """Contents of a folder by name."""
+    return {path.name: path.read_text() for path in folder.iterdir()}
+
+
+def test_the_c_goes_to_generated_and_the_name(run: Path, files: dict[str, str]) -> None:
+    invoke(STOCK)
+    assert read(run / "generated" / "yoon2023") == files
+
+
+def test_another_folder_may_be_named(run: Path, files: dict[str, str]) -> None:
+    invoke(STOCK, "--out", "firmware/control [new]")
+    assert read(run / "firmware" / "control [new]") == files
+
+
+def test_what_was_written_is_told(run: Path, files: dict[str, str]) -> None:
+    output = invoke(STOCK).stdout
+    manifest = json.loads(files["manifest.json"])
+    for name in files:
+        assert name in output
+    assert manifest["hash"] in output
+    assert f"{len(manifest['functions']) + len(manifest['aliases'])} functions" in output
+
+
+def test_unchanged_files_are_left_alone(run: Path) -> None:
+    invoke(STOCK)
+    folder = run / "generated" / "yoon2023"
+    before = {path: path.stat() for path in [folder, *folder.iterdir()]}
+    assert "nothing changed" in invoke(STOCK).stdout
+    assert {path: path.stat() for path in [folder, *folder.iterdir()]} == before
+
+
+@pytest.mark.parametrize("damage", ["edited", "missing"])
+def test_a_damaged_folder_is_written_again(run: Path, files: dict[str, str], damage: str) -> None:
+    invoke(STOCK)
+    folder = run / "generated" / "yoon2023"
+    if damage == "edited":
+        (folder / "tb_control.c").write_text("mine")
+    else:
+        (folder / "tb_control.c").unlink()
+    assert "nothing changed" not in invoke(STOCK).stdout
+    assert read(folder) == files
+
+
+def test_the_real_command_works_from_elsewhere_with_an_awkward_name(
+    tmp_path: Path, files: dict[str, str]
+) -> None:
+    path = tmp_path / "my [bold]machine – Δx.toml"
+    shutil.copy(STOCK, path)
+    arguments = ["generate", path.name, "--out", "C code [α]"]
+    done = subprocess.run(
+        [TURNBUCKLE, *arguments], cwd=tmp_path, env=os.environ, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "C code [α]" in done.stdout
+    assert "\x1b" not in done.stdout
+    assert read(tmp_path / "C code [α]").keys() == files.keys()

@@ -1,0 +1,379 @@
+"""The command line: check a machine file, generate its C, verify it, try it on the bench.
+
+Exit status: 0 done; 1 the check failed; 2 it cannot be done, and the message says why; 130 the user
+stopped it. What a command finds goes to stdout, what it says about itself to stderr. The modules
+behind a command are imported by that command alone, so that the quick ones are quick.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+if TYPE_CHECKING:
+    from codegen.verify import Report, Row
+    from model.machine import Machine
+
+FAILED_CHECK, CANNOT, INTERRUPTED = 1, 2, 130
+# Errors larger than these are shown as larger.
+LARGEST_SHARE, LARGEST_ULP = 9.99, 1e5
+
+MachineFile = Annotated[Path, typer.Argument(help="The machine file.", show_default=False)]
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def main() -> None:
+    """The installed command `turnbuckle`."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
+    try:
+        app()
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+
+
+def print_version(wanted: bool) -> None:
+    """Print the version and stop, where it is wanted."""
+    if wanted:
+        typer.echo(f"turnbuckle {version('turnbuckle')}")
+        raise typer.Exit
+
+
+@app.callback()
+def describe_turnbuckle(
+    _version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=print_version, is_eager=True, help="Print the version and exit."
+        ),
+    ] = False,
+) -> None:
+    """Describe a cable-driven haptic machine in one file; get its controller as C.
+
+    \b
+    Example, from nothing to numbers:
+      turnbuckle check    machines/yoon2023.toml
+      turnbuckle generate machines/yoon2023.toml
+      turnbuckle verify   machines/yoon2023.toml
+      turnbuckle demo     machines/yoon2023.toml
+
+    \b
+    Exit status: 0 done, 1 the check failed, 2 it cannot be done (the message
+    says why), 130 interrupted.
+    """
+
+
+@app.command()
+def check(file: MachineFile) -> None:
+    """Say what machine a file describes, or what is wrong.
+
+    \b
+    Example:
+      turnbuckle check machines/yoon2023.toml
+    """
+    with errors_in_words():
+        table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
+        for label, value in read(file).describe():
+            table.add_row(Text(label, style="bold"), Text(value))
+        Console().print(table)
+
+
+@app.command()
+def generate(
+    file: MachineFile,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Folder for the C files, new or generated before.  [default: generated/<name>]",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Write the C of a machine.
+
+    Files are left alone when nothing changed. The first time, measuring the
+    accuracy of every function takes a while; the measurements are kept.
+
+    \b
+    Example:
+      turnbuckle generate machines/yoon2023.toml --out firmware/controller
+    """
+    begin = time.perf_counter()
+    with errors_in_words():
+        machine = read(file)
+        folder = out or Path("generated") / machine.name
+        with working(f"generating {machine.name}"):
+            files, changed = write_changed(machine, folder)
+        say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
+
+
+def write_changed(machine: Machine, folder: Path) -> tuple[dict[str, str], bool]:
+    """The generated files of a machine, and whether the folder had to be written."""
+    from codegen.generate import generate, refuse_foreign, write
+
+    refuse_foreign(folder)  # before the long work rather than after it
+    files = generate(machine)
+    changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
+    if changed:
+        write(files, folder)
+    return files, changed
+
+
+def content_of(path: Path) -> bytes | None:
+    """The bytes of a file, None where there is no such file."""
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        return None
+
+
+def say_what_was_generated(
+    machine: Machine, folder: Path, files: dict[str, str], changed: bool, seconds: float
+) -> None:
+    """One line of numbers, and every file with its size."""
+    from codegen.generate import MANIFEST
+
+    manifest = json.loads(files[MANIFEST])
+    functions = len(manifest["functions"]) + len(manifest["aliases"])
+    if not changed:
+        typer.echo(f"{folder}: nothing changed, files left alone")
+    else:
+        typer.echo(f"{folder}: {len(files)} files written")
+        for name, text in files.items():
+            typer.echo(f"  {name:<16} {len(text.encode()):>7} bytes")
+    typer.echo(
+        f"{machine.name}: machine hash {manifest['hash']}, {functions} functions, {seconds:.1f} s"
+    )
+
+
+@app.command()
+def verify(
+    file: MachineFile,
+    points: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N", min=1, help="Points tried for each function.", show_default=False
+        ),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the report as JSON.")] = False,
+) -> None:
+    """Compare the C with the independent reference.
+
+    Compiles the C in double and single precision, and runs both and the reference on the same
+    points. Fails, with exit status 1, where they differ by more than the accuracy that is allowed.
+
+    \b
+    Example:
+      turnbuckle verify machines/yoon2023.toml --points 500 --json > report.json
+    """
+    with errors_in_words():
+        read(file)  # a mistake is told before the slow imports
+        report = judged(file, points)
+        if as_json:
+            typer.echo(json.dumps(finite(report.to_json()), indent=2))
+        else:
+            show_report(report)
+    if not report.passed:
+        complain(f"{file}: the generated C is not what the reference computes")
+        raise typer.Exit(FAILED_CHECK)
+
+
+def judged(file: Path, points: int | None) -> Report:
+    """Every generated function against the reference."""
+    from codegen.verify import POINTS, verify
+
+    with progress() as tell:
+        return verify(
+            file,
+            points or POINTS,
+            progress=lambda function, done, total: tell(f"verifying {function}", done / total),
+        )
+
+
+def finite(content: Any) -> Any:
+    """Plain data as JSON can hold it: null in place of infinities and NaN."""
+    if isinstance(content, dict):
+        return {key: finite(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [finite(value) for value in content]
+    return None if isinstance(content, float) and not math.isfinite(content) else content
+
+
+def show_report(report: Report) -> None:
+    """The table of worst errors, then what disagrees."""
+    console = Console()
+    console.print(report_table(report))
+    for row in report.failures():
+        typer.echo(failure_in_words(row))
+    verdict = "agrees with" if report.passed else "DIFFERS FROM"
+    points = sum(row.points for row in report.rows)
+    typer.echo(
+        f"{report.machine}, machine hash {report.hash}: the C {verdict} the reference;"
+        f" {len(report.rows)} comparisons at {points} points in all"
+    )
+
+
+def report_table(report: Report) -> Table:
+    """A line for every result: worst errors in each precision, and their share of the allowed."""
+    results: dict[tuple[str, str], dict[str, Row]] = {}
+    for row in report.rows:
+        if not row.ok or not row.output.endswith(" (refused)"):
+            results.setdefault((row.function, row.output), {})[row.precision] = row
+    table = Table(box=None, padding=(0, 1, 0, 0), title=f"{report.machine}: worst errors, SI units")
+    table.add_column("function", overflow="fold")
+    table.add_column("output", overflow="fold")
+    precisions = list(dict.fromkeys(row.precision for row in report.rows))
+    for heading in [h for precision in precisions for h in (precision, "ulp")] + ["share"]:
+        table.add_column(heading, justify="right", no_wrap=True)
+    for (function, output), rows in results.items():
+        cells = [cell for name in precisions for cell in errors_in_cells(rows.get(name))]
+        worst = max(row.share for row in rows.values())
+        share = f"{worst:.0%}" if worst <= LARGEST_SHARE else f">{LARGEST_SHARE:.0%}"
+        style = "" if all(row.ok for row in rows.values()) else "bold red"
+        table.add_row(Text(function), Text(output), *cells, share, style=style)
+    table.caption = "share: the worst error's part of what is allowed at its point"
+    return table
+
+
+def errors_in_cells(row: Row | None) -> tuple[str, str]:
+    """Worst absolute error, and worst in units in the last place (useless near a result of 0)."""
+    if row is None:
+        return "", ""
+    ulp = f"{row.worst_ulp:.3g}" if row.worst_ulp < 999.5 else f"{row.worst_ulp:.0f}"
+    return (
+        f"{row.worst_absolute:.1e}",
+        ulp if row.worst_ulp < LARGEST_ULP else f">{LARGEST_ULP:.0e}".replace("e+0", "e"),
+    )
+
+
+def failure_in_words(row: Row) -> str:
+    """What is wrong with one result."""
+    reasons = []
+    if not row.share <= 1:
+        reasons.append(f"error {row.worst_absolute:.2e}, {row.share:.3g} times what is allowed")
+    if row.disagreements:
+        reasons.append(f"{row.disagreements} wrong answers ({row.first_disagreement})")
+    return f"FAILED {row.function}, {row.output}, {row.precision}: {'; '.join(reasons)}"
+
+
+@app.command()
+def demo(
+    file: MachineFile,
+    out: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder for the picture.", show_default=True)
+    ] = Path("build/demo"),
+) -> None:
+    """Run the compiled controller on the virtual bench.
+
+    Prints a table of numbers and draws a picture.
+
+    \b
+    Example:
+      turnbuckle demo machines/yoon2023.toml --out pictures
+    """
+    with errors_in_words():
+        read(file)  # a mistake is told before the slow imports
+        from lab.demo import run_demo, summary_table
+
+        with progress() as tell:
+            result = run_demo(file, out, tell)
+        Console().print(summary_table(result))
+        typer.echo(f"picture: {result.picture}")
+
+
+def read(file: Path) -> Machine:
+    """The machine of a file."""
+    from model.machine import load_machine
+
+    return load_machine(file)
+
+
+@contextmanager
+def working(what: str) -> Iterator[None]:
+    """A sign of life on a terminal's stderr while something without steps is done."""
+    with Console(stderr=True).status(Text(what)):
+        yield
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str, float], None]]:
+    """A progress bar on a terminal's stderr; told what is being done and the share that is done."""
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TimeElapsedColumn(),
+    )
+    console = Console(stderr=True)
+    with Progress(
+        *columns, console=console, transient=True, disable=not console.is_terminal
+    ) as bars:
+        bar = bars.add_task("starting", total=None)
+
+        def tell(stage: str, share: float) -> None:
+            bars.update(bar, description=stage, completed=share, total=1.0 if share else None)
+
+        yield tell
+
+
+@contextmanager
+def errors_in_words() -> Iterator[None]:
+    """Turn what a user can cause into one message on stderr and an exit status."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise  # the reader of our output has seen enough: typer ends quietly
+    except KeyboardInterrupt:
+        fail("interrupted", INTERRUPTED)
+    except OSError as error:
+        fail(": ".join(str(part) for part in (error.filename, error.strerror or error) if part))
+    except Exception as error:
+        if not isinstance(error, refusals()):
+            raise
+        fail(str(error))
+
+
+def refusals() -> tuple[type[Exception], ...]:
+    """Errors whose text is written for the user; imported only when there has been an error."""
+    from codegen.compile import CompileError
+    from codegen.generate import GenerateError
+    from model.machine import MachineError
+
+    return MachineError, GenerateError, CompileError
+
+
+def fail(message: str, status: int = CANNOT) -> NoReturn:
+    """Say why on stderr, and end."""
+    complain(message)
+    raise typer.Exit(status)
+
+
+def complain(message: str) -> None:
+    """One message on stderr."""
+    typer.echo(f"turnbuckle: {message}", err=True)
+
+
+if __name__ == "__main__":
+    main()
