@@ -4,6 +4,7 @@ A choice `c ? p : q` becomes an if when the work done for one of its arms alone 
 choices on the same condition share one branch, and what only they need moves into it.
 """
 
+import heapq
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -112,17 +113,22 @@ class Arrangement:
         return sum(_WORK.get(self.nodes[number].op, 1) for number in numbers)
 
     def region(self, numbers: set[int], selects: list[int], arm: int) -> frozenset[int]:
-        """Nodes that only the given arm of the choices needs."""
+        """Nodes that only the given arm of the choices needs, found from the arms backwards."""
         chosen = set(selects)
         region: set[int] = set()
-        for number in sorted(numbers - chosen, reverse=True):
-            if number in self.roots or not self.users[number]:
+        waiting = [-self.nodes[select].args[arm] for select in selects]
+        heapq.heapify(waiting)
+        while waiting:
+            number = -heapq.heappop(waiting)
+            if number in region or number in chosen or number not in numbers:
                 continue
-            if all(
+            if number not in self.roots and all(
                 user in region or (user in chosen and self.only_in_arm(user, number, arm))
                 for user in self.users[number]
             ):
                 region.add(number)
+                for arg in self.nodes[number].args:
+                    heapq.heappush(waiting, -arg)
         return frozenset(region)
 
     def only_in_arm(self, select: int, number: int, arm: int) -> bool:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from codegen.compile import LIBRARIES, compile_library
-from codegen.generate import MANIFEST, TEMPLATES, generate, write
+from codegen.generate import MANIFEST, TEMPLATES, GenerateError, generate, write
 from model.machine import Machine, load_machine
 from model.symbolic.function import Status
 
@@ -203,7 +203,12 @@ def generate_into_build(machine: Machine) -> Path:
     digest = hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()[:16]
     folder = LIBRARIES.parent / "generated" / f"{machine.name}-{digest}"
     if not (folder / MANIFEST).exists():
-        write(files, folder)
+        try:
+            write(files, folder)
+        except GenerateError:
+            # Another process that made the same folder meanwhile is no failure.
+            if not (folder / MANIFEST).exists():
+                raise
     return folder
 
 

@@ -8,7 +8,6 @@ from codegen.ir import Procedure, Routine, cost
 from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
 from model.symbolic.function import Input, ModelFunction, Output, Status
 
-
 #: Arguments with more entries than this are not listed where an error is worst.
 LONGEST_PLACE = 8
 

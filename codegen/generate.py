@@ -25,6 +25,8 @@ from model.symbolic.topics import TOPICS, model_functions, model_procedures
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
+#: The tension solver unrolls one level a redundant cable; beyond this the C grows out of hand.
+LARGEST_REDUNDANCY = 4
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -53,7 +55,15 @@ class Model:
 
 
 def build_model(machine: Machine) -> Model:
-    """Lower and simplify every function of the machine."""
+    """Lower and simplify every function of the machine.
+
+    Raises GenerateError for more cables than this version distributes tensions over.
+    """
+    if machine.redundancy > LARGEST_REDUNDANCY:
+        raise GenerateError(
+            f"{machine.path}: cable: found {len(machine.cables)} cables; allowed: up to "
+            f"{machine.dof + LARGEST_REDUNDANCY} for {machine.dof} degrees of freedom in this version"
+        )
     routines = {
         topic: [simplify(lower(function)) for function in functions]
         for topic, functions in model_functions(machine).items()

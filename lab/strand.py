@@ -135,11 +135,12 @@ def _frictions(machine: Machine, plant: Plant) -> tuple[Friction, Friction]:
     radius = machine.drum.radius
     return (
         Friction(plant.motor_coulomb_friction / radius, plant.motor_viscous_friction / radius**2),
-        Friction(plant.carriage_coulomb_friction, plant.carriage_viscous_friction),
+        Friction(plant.carriage_coulomb_friction or 0.0, plant.carriage_viscous_friction or 0.0),
     )
 
 
 def _rail(base: FixedBase | RailBase, plant: Plant) -> Rail:
     if isinstance(base, FixedBase):
         return Rail(base.position, (0.0, 0.0), length=0.0, mobility=0.0)
+    assert plant.carriage_mass is not None  # a machine file with rails states it
     return Rail(base.start, base.direction, base.length, 1.0 / plant.carriage_mass)

@@ -110,6 +110,28 @@ def _limits(machine: Machine, tables: Tables) -> Found:
         )
 
 
+def _observer_share(machine: Machine, tables: Tables) -> Found:
+    needed = machine.tension.max * machine.drum.radius
+    limit = machine.cable_motor.torque_limit
+    if machine.disturbance_observer and needed * (1 - ROUNDING) <= limit <= needed * (1 + ROUNDING):
+        yield _problem(
+            tables,
+            ("cable_motor", "torque_limit"),
+            f"more than tension.max times drum.radius = {needed * 1e3:g} mN*m, "
+            "because disturbance_observer compensates with what is above",
+        )
+
+
+def _carriages(machine: Machine, tables: Tables) -> Found:
+    if machine.plant is None or not machine.rail_cables:
+        return
+    first = key_path(("cable", machine.rail_cables[0], "rail"))
+    for key in ("carriage_mass", "carriage_coulomb_friction", "carriage_viscous_friction"):
+        if getattr(machine.plant, key) is None:
+            allowed = f"a quantity with its unit, because of {first}"
+            yield Problem(key_path(("plant", key)), FOUND_NOTHING, allowed)
+
+
 def _rail_drive(machine: Machine, tables: Tables) -> Found:
     if machine.rail_cables and machine.rail_drive is None:
         first = key_path(("cable", machine.rail_cables[0], "rail"))
@@ -160,6 +182,8 @@ RULES = (
     _rail_lengths,
     _unique_names,
     _limits,
+    _observer_share,
+    _carriages,
     _rail_drive,
     _observer,
     _cut_offs,

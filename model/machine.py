@@ -228,9 +228,15 @@ class Plant(Table):
     handle_mass: Mass = Field(description="mass of the handle [kg]")
     motor_coulomb_friction: TorqueOrZero = Field(description="dry friction of a motor [N m]")
     motor_viscous_friction: RotaryDamping = Field(description="damping of a motor [N m s/rad]")
-    carriage_mass: Mass = Field(description="mass of a carriage, rotor included [kg]")
-    carriage_coulomb_friction: ForceOrZero = Field(description="dry friction of a carriage [N]")
-    carriage_viscous_friction: Damping = Field(description="damping of a carriage [N s/m]")
+    carriage_mass: Mass | None = Field(
+        None, description="mass of a carriage, rotor included [kg]; needed where there are rails"
+    )
+    carriage_coulomb_friction: ForceOrZero | None = Field(
+        None, description="dry friction of a carriage [N]; needed where there are rails"
+    )
+    carriage_viscous_friction: Damping | None = Field(
+        None, description="damping of a carriage [N s/m]; needed where there are rails"
+    )
     hand_stiffness: StiffnessOrZero = Field(description="stiffness of the user's hand [N/m]")
     hand_damping: Damping = Field(description="damping of the user's hand [N s/m]")
     hand_mass: Mass = Field(description="mass of the user's hand [kg]")

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
@@ -87,217 +87,251 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     const real_t t63 = TB_C(3.0) / (t53 * t53 + t60 * t60);
     const real_t t64 = t62 * t63;
     const real_t t65 = t44 + TB_C(10.0);
-    const bool t66 = TB_C(0.0) < tb_max(t45 - t64, t64 - t65);
-    const real_t t67 = t14 * t59 - t57;
-    const real_t t68 = t48 - t14 * t52;
-    const real_t t69 = t61 * t67 - t54 * t68;
-    const real_t t70 = t54 * t67 + t61 * t68;
-    const real_t t71 = TB_EPSILON * TB_C(16.0);
-    const real_t t72 = t60 * t67 - t53 * t68;
-    const real_t t73 = t58 - t19 * t59;
-    const real_t t74 = t19 * t52 - t51;
-    const real_t t75 = t61 * t73 - t54 * t74;
-    const real_t t76 = t54 * t73 + t61 * t74;
-    const real_t t77 = t60 * t73 - t53 * t74;
-    real_t t78, t79, t80, t81, t82;
-    if (t66) {
-        const real_t t83 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
-        const real_t t84 = t83 * (TB_C(1.0) / (t54 * t54 + t61 * t61));
-        const real_t t85 = t53 * t61 - t54 * t60;
-        const bool t86 = TB_ABS(t85) <= t71;
-        const real_t t87 = t62 * t84;
-        const real_t t88 = TB_C(1.0) / t85;
-        real_t t89, t90;
-        if (t86) {
-            t89 = -TB_C(1000000000000.0);
-            t90 = TB_C(1000000000000.0);
+    const real_t t66 = tb_max(t45 - t64, t64 - t65);
+    const bool t67 = TB_C(0.0) < t66;
+    const real_t t68 = t14 * t59 - t57;
+    const real_t t69 = t48 - t14 * t52;
+    const real_t t70 = t61 * t68 - t54 * t69;
+    const real_t t71 = t54 * t68 + t61 * t69;
+    const real_t t72 = TB_EPSILON * TB_C(16.0);
+    const real_t t73 = t60 * t68 - t53 * t69;
+    const real_t t74 = t58 - t19 * t59;
+    const real_t t75 = t19 * t52 - t51;
+    const real_t t76 = t61 * t74 - t54 * t75;
+    const real_t t77 = t54 * t74 + t61 * t75;
+    const real_t t78 = t60 * t74 - t53 * t75;
+    const real_t t79 = t44 * TB_C(2.0);
+    const real_t t80 = t44 * TB_C(1024.0);
+    real_t t81, t82, t83, t84, t85;
+    if (t67) {
+        const real_t t86 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
+        const real_t t87 = t86 * (TB_C(1.0) / (t54 * t54 + t61 * t61));
+        const real_t t88 = t53 * t61 - t54 * t60;
+        const bool t89 = TB_ABS(t88) <= t72;
+        const real_t t90 = t62 * t87;
+        const real_t t91 = TB_C(1.0) / t88;
+        real_t t92, t93, t94;
+        if (t89) {
+            t92 = -TB_C(1000000000000.0);
+            t93 = TB_C(1000000000000.0);
+            t94 = TB_C(0.0);
         } else {
-            const real_t t91 = (t45 - t87) * t88;
-            const real_t t92 = t88 * (t65 - t87);
-            t89 = tb_min(t91, t92);
-            t90 = tb_max(t91, t92);
+            const real_t t95 = (t45 - t90) * t91;
+            const real_t t96 = t91 * (t65 - t90);
+            t92 = tb_min(t95, t96);
+            t93 = tb_max(t95, t96);
+            t94 = t79 * TB_ABS(t91);
         }
-        const real_t t93 = tb_min(tb_max(TB_C(0.0), t89), t90);
-        const real_t t94 = TB_C(0.0) < TB_ABS(t93) ? t93 * (t62 * t88) : TB_C(0.0);
-        const real_t t95 = tb_max(TB_C(0.0), t64 < t83 ? t94 - t84 : t84 - t94);
-        t78 = t69 * t84 - t70 * t93;
-        t79 = t84 * t75 - t93 * t76;
-        t80 = t87 + t85 * t93;
-        t81 = t83;
-        t82 = t95;
+        const real_t t97 = tb_min(tb_max(TB_C(0.0), t92), t93);
+        const real_t t98 = TB_C(0.0) < TB_ABS(t97) ? t97 * (t62 * t91) : TB_C(0.0);
+        const real_t t99 = t64 < t86 ? t98 - t87 : t87 - t98;
+        const real_t t100 = t92 + t94 < t93 - t94 && t80 < t66 ? t99 : TB_C(0.0);
+        t81 = t70 * t87 - t71 * t97;
+        t82 = t87 * t76 - t97 * t77;
+        t83 = t90 + t88 * t97;
+        t84 = t86;
+        t85 = TB_C(0.0) < t99 ? t100 : TB_C(0.0);
     } else {
-        t78 = t63 * t72;
-        t79 = t63 * t77;
-        t80 = TB_C(3.0);
-        t81 = t64;
-        t82 = TB_C(0.0);
+        t81 = t63 * t73;
+        t82 = t63 * t78;
+        t83 = TB_C(3.0);
+        t84 = t64;
+        t85 = TB_C(0.0);
     }
-    const bool t96 = TB_C(0.0) < tb_max(t45 - t78, t78 - t65);
-    const real_t t97 = t68 * t74 + t67 * t73;
-    const real_t t98 = t68 * t73;
-    const real_t t99 = t67 * t74;
-    real_t t100, t101, t102, t103, t104;
-    if (t96) {
-        const real_t t105 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
-        const real_t t106 = t105 * (TB_C(1.0) / (t68 * t68 + t67 * t67));
-        const bool t107 = TB_ABS(t70) <= t71;
-        const real_t t108 = t69 * t106;
-        const real_t t109 = TB_C(1.0) / t70;
-        real_t t110, t111;
-        if (t107) {
-            t110 = -TB_C(1000000000000.0);
-            t111 = TB_C(1000000000000.0);
+    const real_t t101 = tb_max(t45 - t81, t81 - t65);
+    const bool t102 = TB_C(0.0) < t101;
+    const real_t t103 = t69 * t75 + t68 * t74;
+    const real_t t104 = t69 * t74;
+    const real_t t105 = t68 * t75;
+    real_t t106, t107, t108, t109, t110;
+    if (t102) {
+        const real_t t111 = tb_min(tb_max(t81, TB_C(3.0)), TB_C(10.0));
+        const real_t t112 = t111 * (TB_C(1.0) / (t69 * t69 + t68 * t68));
+        const bool t113 = TB_ABS(t71) <= t72;
+        const real_t t114 = t70 * t112;
+        const real_t t115 = TB_C(1.0) / t71;
+        real_t t116, t117, t118;
+        if (t113) {
+            t116 = -TB_C(1000000000000.0);
+            t117 = TB_C(1000000000000.0);
+            t118 = TB_C(0.0);
         } else {
-            const real_t t112 = (t45 - t108) * t109;
-            const real_t t113 = t109 * (t65 - t108);
-            t110 = tb_min(t112, t113);
-            t111 = tb_max(t112, t113);
+            const real_t t119 = (t45 - t114) * t115;
+            const real_t t120 = t115 * (t65 - t114);
+            t116 = tb_min(t119, t120);
+            t117 = tb_max(t119, t120);
+            t118 = t79 * TB_ABS(t115);
         }
-        const real_t t114 = t60 * t68 + t53 * t67;
-        const bool t115 = TB_ABS(t114) <= t71;
-        const real_t t116 = t72 * t106;
-        const real_t t117 = TB_C(1.0) / t114;
-        real_t t118, t119;
-        if (t115) {
-            t118 = -TB_C(1000000000000.0);
-            t119 = TB_C(1000000000000.0);
+        const real_t t121 = t60 * t69 + t53 * t68;
+        const bool t122 = TB_ABS(t121) <= t72;
+        const real_t t123 = t73 * t112;
+        const real_t t124 = TB_C(1.0) / t121;
+        real_t t125, t126, t127;
+        if (t122) {
+            t125 = -TB_C(1000000000000.0);
+            t126 = TB_C(1000000000000.0);
+            t127 = TB_C(0.0);
         } else {
-            const real_t t120 = (t45 - t116) * t117;
-            const real_t t121 = t117 * (t65 - t116);
-            t118 = tb_min(t120, t121);
-            t119 = tb_max(t120, t121);
+            const real_t t128 = (t45 - t123) * t124;
+            const real_t t129 = t124 * (t65 - t123);
+            t125 = tb_min(t128, t129);
+            t126 = tb_max(t128, t129);
+            t127 = t79 * TB_ABS(t124);
         }
-        const real_t t122 = tb_min(tb_max(TB_C(0.0), tb_max(t110, t118)), tb_min(t111, t119));
-        real_t t123;
-        if (TB_C(0.0) < TB_ABS(t122)) {
-            const real_t t124 = t69 * t109;
-            const real_t t125 = t72 * t117;
-            const real_t t126 = TB_C(0.0) < t122 ? (t118 < t110 ? t124 : t125) : (t111 < t119 ?
-                t124 : t125);
-            t123 = t122 * t126;
+        const real_t t130 = tb_min(tb_max(TB_C(0.0), tb_max(t116, t125)), tb_min(t117, t126));
+        real_t t131;
+        if (TB_C(0.0) < TB_ABS(t130)) {
+            const real_t t132 = t70 * t115;
+            const real_t t133 = t73 * t124;
+            const real_t t134 = TB_C(0.0) < t130 ? (t125 < t116 ? t132 : t133) : (t117 < t126 ?
+                t132 : t133);
+            t131 = t130 * t134;
         } else {
-            t123 = TB_C(0.0);
+            t131 = TB_C(0.0);
         }
-        const real_t t127 = tb_max(TB_C(0.0), t78 < t105 ? t123 - t106 : t106 - t123);
-        t100 = t97 * t106 + (t98 - t99) * t122;
-        t101 = t116 + t114 * t122;
-        t102 = t108 + t70 * t122;
-        t103 = t105;
-        t104 = t127;
+        const real_t t135 = t81 < t111 ? t131 - t112 : t112 - t131;
+        real_t t136;
+        if (TB_C(0.0) < t135) {
+            const bool t137 = tb_max(t125 + t127, t116 + t118) < tb_min(t126 - t127, t117 -
+                t118);
+            t136 = t137 && t80 < t101 ? t135 : TB_C(0.0);
+        } else {
+            t136 = TB_C(0.0);
+        }
+        t106 = t103 * t112 + (t104 - t105) * t130;
+        t107 = t123 + t121 * t130;
+        t108 = t114 + t71 * t130;
+        t109 = t111;
+        t110 = t136;
     } else {
-        t100 = t79;
-        t101 = t80;
-        t102 = t81;
-        t103 = t78;
-        t104 = t82;
+        t106 = t82;
+        t107 = t83;
+        t108 = t84;
+        t109 = t81;
+        t110 = t85;
     }
-    const bool t128 = TB_C(0.0) < tb_max(t45 - t100, t100 - t65);
-    real_t t129, t130, t131, t132, t133;
-    if (t128) {
-        const real_t t134 = tb_min(tb_max(t100, TB_C(3.0)), TB_C(10.0));
-        const real_t t135 = t134 * (TB_C(1.0) / (t74 * t74 + t73 * t73));
-        const real_t t136 = t77 * t135;
-        const real_t t137 = t60 * t74 + t53 * t73;
-        const real_t t138 = t99 - t98;
-        const bool t139 = TB_ABS(t138) <= t71;
-        const real_t t140 = t97 * t135;
-        const real_t t141 = TB_C(1.0) / t138;
-        real_t t142, t143;
-        if (t139) {
-            t142 = -TB_C(1000000000000.0);
-            t143 = TB_C(1000000000000.0);
+    const real_t t138 = tb_max(t45 - t106, t106 - t65);
+    const bool t139 = TB_C(0.0) < t138;
+    real_t t140, t141, t142, t143, t144;
+    if (t139) {
+        const real_t t145 = tb_min(tb_max(t106, TB_C(3.0)), TB_C(10.0));
+        const real_t t146 = t145 * (TB_C(1.0) / (t75 * t75 + t74 * t74));
+        const real_t t147 = t78 * t146;
+        const real_t t148 = t60 * t75 + t53 * t74;
+        const real_t t149 = t105 - t104;
+        const bool t150 = TB_ABS(t149) <= t72;
+        const real_t t151 = t103 * t146;
+        const real_t t152 = TB_C(1.0) / t149;
+        real_t t153, t154, t155;
+        if (t150) {
+            t153 = -TB_C(1000000000000.0);
+            t154 = TB_C(1000000000000.0);
+            t155 = TB_C(0.0);
         } else {
-            const real_t t144 = (t45 - t140) * t141;
-            const real_t t145 = t141 * (t65 - t140);
-            t142 = tb_min(t144, t145);
-            t143 = tb_max(t144, t145);
+            const real_t t156 = (t45 - t151) * t152;
+            const real_t t157 = t152 * (t65 - t151);
+            t153 = tb_min(t156, t157);
+            t154 = tb_max(t156, t157);
+            t155 = t79 * TB_ABS(t152);
         }
-        const bool t146 = TB_ABS(t76) <= t71;
-        const real_t t147 = t75 * t135;
-        const real_t t148 = TB_C(1.0) / t76;
-        real_t t149, t150;
-        if (t146) {
-            t149 = -TB_C(1000000000000.0);
-            t150 = TB_C(1000000000000.0);
+        const bool t158 = TB_ABS(t77) <= t72;
+        const real_t t159 = t76 * t146;
+        const real_t t160 = TB_C(1.0) / t77;
+        real_t t161, t162, t163;
+        if (t158) {
+            t161 = -TB_C(1000000000000.0);
+            t162 = TB_C(1000000000000.0);
+            t163 = TB_C(0.0);
         } else {
-            const real_t t151 = (t45 - t147) * t148;
-            const real_t t152 = t148 * (t65 - t147);
-            t149 = tb_min(t151, t152);
-            t150 = tb_max(t151, t152);
+            const real_t t164 = (t45 - t159) * t160;
+            const real_t t165 = t160 * (t65 - t159);
+            t161 = tb_min(t164, t165);
+            t162 = tb_max(t164, t165);
+            t163 = t79 * TB_ABS(t160);
         }
-        const bool t153 = TB_ABS(t137) <= t71;
-        const real_t t154 = TB_C(1.0) / t137;
-        real_t t155, t156;
-        if (t153) {
-            t155 = -TB_C(1000000000000.0);
-            t156 = TB_C(1000000000000.0);
+        const bool t166 = TB_ABS(t148) <= t72;
+        const real_t t167 = TB_C(1.0) / t148;
+        real_t t168, t169, t170;
+        if (t166) {
+            t168 = -TB_C(1000000000000.0);
+            t169 = TB_C(1000000000000.0);
+            t170 = TB_C(0.0);
         } else {
-            const real_t t157 = (t45 - t136) * t154;
-            const real_t t158 = t154 * (t65 - t136);
-            t155 = tb_min(t157, t158);
-            t156 = tb_max(t157, t158);
+            const real_t t171 = (t45 - t147) * t167;
+            const real_t t172 = t167 * (t65 - t147);
+            t168 = tb_min(t171, t172);
+            t169 = tb_max(t171, t172);
+            t170 = t79 * TB_ABS(t167);
         }
-        const real_t t159 = tb_max(t149, t155);
-        const real_t t160 = tb_min(t150, t156);
-        const real_t t161 = tb_min(tb_max(TB_C(0.0), tb_max(t142, t159)), tb_min(t143, t160));
-        real_t t162;
-        if (TB_C(0.0) < TB_ABS(t161)) {
-            const real_t t163 = t97 * t141;
-            const real_t t164 = t75 * t148;
-            const real_t t165 = t77 * t154;
-            real_t t166;
-            if (TB_C(0.0) < t161) {
-                t166 = t159 < t142 ? t163 : (t155 < t149 ? t164 : t165);
+        const real_t t173 = tb_max(t161, t168);
+        const real_t t174 = tb_min(t162, t169);
+        const real_t t175 = tb_min(tb_max(TB_C(0.0), tb_max(t153, t173)), tb_min(t154, t174));
+        real_t t176;
+        if (TB_C(0.0) < TB_ABS(t175)) {
+            const real_t t177 = t103 * t152;
+            const real_t t178 = t76 * t160;
+            const real_t t179 = t78 * t167;
+            real_t t180;
+            if (TB_C(0.0) < t175) {
+                t180 = t173 < t153 ? t177 : (t168 < t161 ? t178 : t179);
             } else {
-                t166 = t143 < t160 ? t163 : (t150 < t156 ? t164 : t165);
+                t180 = t154 < t174 ? t177 : (t162 < t169 ? t178 : t179);
             }
-            t162 = t161 * t166;
+            t176 = t175 * t180;
         } else {
-            t162 = TB_C(0.0);
+            t176 = TB_C(0.0);
         }
-        const real_t t167 = tb_max(TB_C(0.0), t100 < t134 ? t162 - t135 : t135 - t162);
-        t129 = t136 + t137 * t161;
-        t130 = t147 + t76 * t161;
-        t131 = t140 + t138 * t161;
-        t132 = t134;
-        t133 = t167;
+        const real_t t181 = t106 < t145 ? t176 - t146 : t146 - t176;
+        real_t t182;
+        if (TB_C(0.0) < t181) {
+            const real_t t183 = tb_max(tb_max(t168 + t170, t161 + t163), t153 + t155);
+            const real_t t184 = tb_min(tb_min(t169 - t170, t162 - t163), t154 - t155);
+            t182 = t183 < t184 && t80 < t138 ? t181 : TB_C(0.0);
+        } else {
+            t182 = TB_C(0.0);
+        }
+        t140 = t147 + t148 * t175;
+        t141 = t159 + t77 * t175;
+        t142 = t151 + t149 * t175;
+        t143 = t145;
+        t144 = t182;
     } else {
-        t129 = t101;
-        t130 = t102;
-        t131 = t103;
-        t132 = t100;
-        t133 = t104;
+        t140 = t107;
+        t141 = t108;
+        t142 = t109;
+        t143 = t106;
+        t144 = t110;
     }
-    const real_t t168 = tb_min(tb_max(t129, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_0 = t30 ? t168 : TB_C(3.0);
-    const real_t t169 = tb_min(tb_max(t130, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = t30 ? t169 : TB_C(3.0);
-    const real_t t170 = tb_min(tb_max(t131, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = t30 ? t170 : TB_C(3.0);
-    const real_t t171 = tb_min(tb_max(t132, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = t30 ? t171 : TB_C(3.0);
-    const bool t172 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t173 = t172 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    const bool t174 = !(TB_EPSILON * TB_C(4096.0) < t42);
-    const real_t t175 = TB_ABS(t2 * t168 + t8 * t169 + t14 * t170 - t19 * t171);
-    const real_t t176 = TB_ABS(t6 * t169 - t7 * t168 + t13 * t170 + t18 * t171);
-    const bool t177 = tb_max(tb_max(t133, t175), t176) <= t43 * (TB_EPSILON * TB_C(640.0));
-    const bool t178 = !(t31 || t177);
-    if (t173) {
+    const real_t t185 = tb_min(tb_max(t140, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_0 = t30 ? t185 : TB_C(3.0);
+    const real_t t186 = tb_min(tb_max(t141, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = t30 ? t186 : TB_C(3.0);
+    const real_t t187 = tb_min(tb_max(t142, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = t30 ? t187 : TB_C(3.0);
+    const real_t t188 = tb_min(tb_max(t143, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = t30 ? t188 : TB_C(3.0);
+    const bool t189 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
+    const bool t190 = t189 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
+    const bool t191 = !(TB_EPSILON * TB_C(4096.0) < t42);
+    const real_t t192 = TB_ABS(t2 * t185 + t8 * t186 + t14 * t187 - t19 * t188);
+    const real_t t193 = TB_ABS(t6 * t186 - t7 * t185 + t13 * t187 + t18 * t188);
+    const bool t194 = tb_max(tb_max(t144, t192), t193) <= t43 * (TB_EPSILON * TB_C(1280.0));
+    const bool t195 = !(t31 || t194);
+    if (t190) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
         tension[3] = TB_C(3.0);
         return TB_SINGULAR;
     }
-    if (t174) {
+    if (t191) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
         tension[3] = TB_C(3.0);
         return TB_SINGULAR;
     }
-    if (t178) {
+    if (t195) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);

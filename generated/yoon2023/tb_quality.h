@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -20,7 +20,7 @@
  *  Error of tension: double at most 1.4e-13 N (worst found 6.9e-14 at pose (0.2132, 0.3316),
  *    rails (0.7118, 0.1251, 0.001177, 0.4589)); float at most 3.1e-05 N (worst found 1.6e-05 at
  *    pose (0.4568, 0.271), rails (0.1797, 0.4616, 0.7118, 0.1325)).
- *  Cost, all branches: 123 add, 174 mul, 17 div, 6 sqrt, 30 compare, 95 select. */
+ *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 39 compare, 110 select. */
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4]);
 
 /** Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace  (Yoon eq. 13).

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -18,244 +18,285 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         kkt_residual[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t cross_03 = structure[0] * structure[7] - structure[4] * structure[3];
+    const real_t t0 = structure[0] * structure[7];
+    const real_t t1 = structure[4] * structure[3];
+    const real_t cross_03 = t0 - t1;
     /* s_i x W */
     const real_t height_0 = structure[0] * wrench[1] - structure[4] * wrench[0];
     const real_t cross_13 = structure[7] * structure[1] - structure[3] * structure[5];
     const real_t height_1 = wrench[1] * structure[1] - wrench[0] * structure[5];
-    const real_t cross_23 = structure[7] * structure[2] - structure[3] * structure[6];
+    const real_t t2 = structure[7] * structure[2];
+    const real_t t3 = structure[3] * structure[6];
+    const real_t cross_23 = t2 - t3;
     const real_t height_2 = wrench[1] * structure[2] - wrench[0] * structure[6];
-    const real_t t0 = cross_03 * height_0 + cross_13 * height_1 + cross_23 * height_2;
-    const real_t cross_01 = structure[0] * structure[5] - structure[4] * structure[1];
-    const real_t t1 = cross_01 * cross_01;
-    const real_t t2 = cross_23 * cross_23;
+    const real_t t4 = cross_03 * height_0 + cross_13 * height_1 + cross_23 * height_2;
+    const real_t t5 = structure[0] * structure[5];
+    const real_t t6 = structure[4] * structure[1];
+    const real_t cross_01 = t5 - t6;
+    const real_t t7 = cross_01 * cross_01;
+    const real_t t8 = cross_23 * cross_23;
     const real_t cross_02 = structure[0] * structure[6] - structure[4] * structure[2];
-    const real_t t3 = cross_02 * cross_02;
-    const real_t t4 = cross_13 * cross_13;
-    const real_t t5 = cross_03 * cross_03;
-    const real_t cross_12 = structure[1] * structure[6] - structure[5] * structure[2];
-    const real_t t6 = cross_12 * cross_12;
+    const real_t t9 = cross_02 * cross_02;
+    const real_t t10 = cross_13 * cross_13;
+    const real_t t11 = cross_03 * cross_03;
+    const real_t t12 = structure[1] * structure[6];
+    const real_t t13 = structure[5] * structure[2];
+    const real_t cross_12 = t12 - t13;
+    const real_t t14 = cross_12 * cross_12;
     /* det S S', Cauchy-Binet */
-    const real_t determinant = t1 + t2 + (t3 + t4) + (t5 + t6);
-    const real_t t7 = TB_C(1.0) / determinant;
+    const real_t determinant = t7 + t8 + (t9 + t10) + (t11 + t14);
+    const real_t t15 = TB_C(1.0) / determinant;
     /* the least-norm tensions that exert the wrench */
-    const real_t start_3 = t0 * t7;
-    const real_t t8 = TB_C(3.0) - start_3;
-    const real_t t9 = TB_SQRT(determinant) * TB_C(0.5);
-    const real_t t10 = TB_C(1.0) / t9;
-    const real_t t11 = TB_C(80.0) * TB_EPSILON * t10;
+    const real_t start_3 = t4 * t15;
+    const real_t t16 = TB_C(3.0) - start_3;
+    const real_t t17 = TB_SQRT(determinant) * TB_C(0.5);
+    const real_t t18 = TB_C(1.0) / t17;
+    const real_t t19 = TB_C(80.0) * TB_EPSILON * t18;
     const real_t height_3 = structure[3] * wrench[1] - structure[7] * wrench[0];
-    const real_t t12 = height_0 * cross_02 + height_1 * cross_12 - cross_23 * height_3;
-    const real_t start_2 = t7 * t12;
-    const real_t t13 = TB_C(3.0) - start_2;
-    const real_t t14 = t13 - t11;
-    const real_t t15 = height_0 * cross_01 - height_2 * cross_12 - cross_13 * height_3;
-    const real_t start_1 = t7 * t15;
-    const real_t t16 = TB_C(3.0) - start_1;
-    const real_t t17 = t16 - t11;
-    const real_t t18 = cross_02 * cross_12 + cross_03 * cross_13;
-    const real_t t19 = height_1 * cross_01 + height_2 * cross_02 + cross_03 * height_3;
-    const real_t t20 = t7 * t19;
-    const real_t t21 = TB_C(3.0) + t20;
-    const real_t t22 = t20 + TB_C(10.0);
-    const real_t t23 = tb_min(tb_max(TB_C(0.0), t21), t22);
-    const real_t t24 = t23 * (TB_C(1.0) / (t6 + (t2 + t4)));
-    const real_t t25 = t18 * t24;
-    const real_t t26 = TB_C(10.0) - start_1;
-    const real_t t27 = t11 + t26;
-    const bool t28 = TB_C(0.0) < tb_max(t17 + t25, -(t25 + t27));
-    const real_t t29 = TB_EPSILON * TB_C(16.0);
-    const real_t t30 = t21 - t11;
-    const real_t t31 = -t25;
-    const real_t t32 = t11 + t22;
-    const real_t t33 = cross_01 * cross_02 + cross_13 * cross_23;
-    const real_t t34 = cross_03 * cross_23 - cross_01 * cross_12;
-    const real_t t35 = cross_03 * cross_01 - cross_23 * cross_12;
-    const real_t t36 = cross_13 * cross_01 + cross_23 * cross_02;
-    real_t t37, t38, t39, t40, t41;
-    if (t28) {
-        const bool t42 = TB_ABS(cross_23) <= t29;
-        const real_t t43 = tb_min(tb_max(t31, t16), t26);
-        const real_t t44 = t43 * (TB_C(1.0) / (t3 + (t2 + t5)));
-        const real_t t45 = t18 * t44;
-        const real_t t46 = TB_C(1.0) / cross_23;
-        real_t t47, t48;
-        if (t42) {
-            t47 = -TB_C(1000000000000.0);
-            t48 = TB_C(1000000000000.0);
+    const real_t t20 = height_0 * cross_02 + height_1 * cross_12 - cross_23 * height_3;
+    const real_t start_2 = t15 * t20;
+    const real_t t21 = TB_C(3.0) - start_2;
+    const real_t t22 = t21 - t19;
+    const real_t t23 = height_0 * cross_01 - height_2 * cross_12 - cross_13 * height_3;
+    const real_t start_1 = t15 * t23;
+    const real_t t24 = TB_C(3.0) - start_1;
+    const real_t t25 = t24 - t19;
+    const real_t t26 = cross_02 * cross_12 + cross_03 * cross_13;
+    const real_t t27 = height_1 * cross_01 + height_2 * cross_02 + cross_03 * height_3;
+    const real_t t28 = t15 * t27;
+    const real_t t29 = TB_C(3.0) + t28;
+    const real_t t30 = t28 + TB_C(10.0);
+    const real_t t31 = tb_min(tb_max(TB_C(0.0), t29), t30);
+    const real_t t32 = t31 * (TB_C(1.0) / (t14 + (t8 + t10)));
+    const real_t t33 = t26 * t32;
+    const real_t t34 = TB_C(10.0) - start_1;
+    const real_t t35 = t19 + t34;
+    const real_t t36 = tb_max(t25 + t33, -(t33 + t35));
+    const bool t37 = TB_C(0.0) < t36;
+    const real_t t38 = TB_EPSILON * TB_C(16.0);
+    const real_t t39 = t29 - t19;
+    const real_t t40 = -t33;
+    const real_t t41 = t19 + t30;
+    const real_t t42 = cross_01 * cross_02 + cross_13 * cross_23;
+    const real_t t43 = cross_03 * cross_23 - cross_01 * cross_12;
+    const real_t t44 = cross_03 * cross_01 - cross_23 * cross_12;
+    const real_t t45 = cross_13 * cross_01 + cross_23 * cross_02;
+    const real_t t46 = TB_C(2.0) * t19;
+    const real_t t47 = t19 * TB_C(1024.0);
+    real_t t48, t49, t50, t51, t52;
+    if (t37) {
+        const bool t53 = TB_ABS(cross_23) <= t38;
+        const real_t t54 = tb_min(tb_max(t40, t24), t34);
+        const real_t t55 = t54 * (TB_C(1.0) / (t9 + (t8 + t11)));
+        const real_t t56 = t26 * t55;
+        const real_t t57 = TB_C(1.0) / cross_23;
+        real_t t58, t59, t60;
+        if (t53) {
+            t58 = -TB_C(1000000000000.0);
+            t59 = TB_C(1000000000000.0);
+            t60 = TB_C(0.0);
         } else {
-            const real_t t49 = -((t30 + t45) * t46);
-            const real_t t50 = -(t46 * (t45 + t32));
-            t47 = tb_min(t49, t50);
-            t48 = tb_max(t49, t50);
+            const real_t t61 = -((t39 + t56) * t57);
+            const real_t t62 = -(t57 * (t56 + t41));
+            t58 = tb_min(t61, t62);
+            t59 = tb_max(t61, t62);
+            t60 = t46 * TB_ABS(TB_C(1.0) / (t3 - t2));
         }
-        const real_t t51 = tb_min(tb_max(TB_C(0.0), t47), t48);
-        const real_t t52 = determinant * t44;
-        const real_t t53 = TB_C(0.0) < TB_ABS(t51) ? t51 * (t18 * t46) : TB_C(0.0);
-        const real_t t54 = tb_max(TB_C(0.0), t31 < t43 ? t53 - t52 : t52 - t53);
-        t37 = cross_03 * t51 - t44 * t33;
-        t38 = -(t44 * t35 + cross_02 * t51);
-        t39 = -(t45 + cross_23 * t51);
-        t40 = t43;
-        t41 = t54;
+        const real_t t63 = tb_min(tb_max(TB_C(0.0), t58), t59);
+        const real_t t64 = determinant * t55;
+        const real_t t65 = TB_C(0.0) < TB_ABS(t63) ? t63 * (t26 * t57) : TB_C(0.0);
+        const real_t t66 = t40 < t54 ? t65 - t64 : t64 - t65;
+        const real_t t67 = t58 + t60 < t59 - t60 && t47 < t36 ? t66 : TB_C(0.0);
+        t48 = cross_03 * t63 - t55 * t42;
+        t49 = -(t55 * t44 + cross_02 * t63);
+        t50 = -(t56 + cross_23 * t63);
+        t51 = t54;
+        t52 = TB_C(0.0) < t66 ? t67 : TB_C(0.0);
     } else {
-        t37 = -(t24 * t34);
-        t38 = t24 * t36;
-        t39 = t23;
-        t40 = t31;
-        t41 = TB_C(0.0);
+        t48 = -(t32 * t43);
+        t49 = t32 * t45;
+        t50 = t31;
+        t51 = t40;
+        t52 = TB_C(0.0);
     }
-    const real_t t55 = TB_C(10.0) - start_2;
-    const real_t t56 = t11 + t55;
-    const bool t57 = TB_C(0.0) < tb_max(t14 - t37, t37 - t56);
-    const real_t t58 = cross_03 * cross_02 + cross_13 * cross_12;
-    real_t t59, t60, t61, t62, t63;
-    if (t57) {
-        const bool t64 = TB_ABS(cross_03) <= t29;
-        const real_t t65 = tb_min(tb_max(t37, t13), t55);
-        const real_t t66 = t65 * (TB_C(1.0) / (t1 + (t4 + t5)));
-        const real_t t67 = t33 * t66;
-        const real_t t68 = TB_C(1.0) / cross_03;
-        real_t t69, t70;
-        if (t64) {
-            t69 = -TB_C(1000000000000.0);
-            t70 = TB_C(1000000000000.0);
+    const real_t t68 = TB_C(10.0) - start_2;
+    const real_t t69 = t19 + t68;
+    const real_t t70 = tb_max(t22 - t48, t48 - t69);
+    const bool t71 = TB_C(0.0) < t70;
+    const real_t t72 = cross_03 * cross_02 + cross_13 * cross_12;
+    real_t t73, t74, t75, t76, t77;
+    if (t71) {
+        const bool t78 = TB_ABS(cross_03) <= t38;
+        const real_t t79 = tb_min(tb_max(t48, t21), t68);
+        const real_t t80 = t79 * (TB_C(1.0) / (t7 + (t10 + t11)));
+        const real_t t81 = t42 * t80;
+        const real_t t82 = TB_C(1.0) / cross_03;
+        real_t t83, t84, t85;
+        if (t78) {
+            t83 = -TB_C(1000000000000.0);
+            t84 = TB_C(1000000000000.0);
+            t85 = TB_C(0.0);
         } else {
-            const real_t t71 = -((t17 + t67) * t68);
-            const real_t t72 = -(t68 * (t27 + t67));
-            t69 = tb_min(t71, t72);
-            t70 = tb_max(t71, t72);
+            const real_t t86 = -((t25 + t81) * t82);
+            const real_t t87 = -(t82 * (t35 + t81));
+            t83 = tb_min(t86, t87);
+            t84 = tb_max(t86, t87);
+            t85 = t46 * TB_ABS(TB_C(1.0) / (t1 - t0));
         }
-        const bool t73 = TB_ABS(cross_13) <= t29;
-        const real_t t74 = t34 * t66;
-        const real_t t75 = TB_C(1.0) / cross_13;
-        real_t t76, t77;
-        if (t73) {
-            t76 = -TB_C(1000000000000.0);
-            t77 = TB_C(1000000000000.0);
+        const bool t88 = TB_ABS(cross_13) <= t38;
+        const real_t t89 = t43 * t80;
+        const real_t t90 = TB_C(1.0) / cross_13;
+        real_t t91, t92, t93;
+        if (t88) {
+            t91 = -TB_C(1000000000000.0);
+            t92 = TB_C(1000000000000.0);
+            t93 = TB_C(0.0);
         } else {
-            const real_t t78 = (t30 + t74) * t75;
-            const real_t t79 = t75 * (t32 + t74);
-            t76 = tb_min(t78, t79);
-            t77 = tb_max(t78, t79);
+            const real_t t94 = (t39 + t89) * t90;
+            const real_t t95 = t90 * (t41 + t89);
+            t91 = tb_min(t94, t95);
+            t92 = tb_max(t94, t95);
+            t93 = t46 * TB_ABS(t90);
         }
-        const real_t t80 = tb_min(tb_max(TB_C(0.0), tb_max(t69, t76)), tb_min(t70, t77));
-        const real_t t81 = determinant * t66;
-        real_t t82;
-        if (TB_C(0.0) < TB_ABS(t80)) {
-            const real_t t83 = t33 * t68;
-            const real_t t84 = -(t34 * t75);
-            const real_t t85 = TB_C(0.0) < t80 ? (t76 < t69 ? t83 : t84) : (t70 < t77 ? t83 :
-                t84);
-            t82 = t80 * t85;
+        const real_t t96 = tb_min(tb_max(TB_C(0.0), tb_max(t83, t91)), tb_min(t84, t92));
+        const real_t t97 = determinant * t80;
+        real_t t98;
+        if (TB_C(0.0) < TB_ABS(t96)) {
+            const real_t t99 = t42 * t82;
+            const real_t t100 = -(t43 * t90);
+            const real_t t101 = TB_C(0.0) < t96 ? (t91 < t83 ? t99 : t100) : (t84 < t92 ? t99 :
+                t100);
+            t98 = t96 * t101;
         } else {
-            t82 = TB_C(0.0);
+            t98 = TB_C(0.0);
         }
-        const real_t t86 = tb_max(TB_C(0.0), t37 < t65 ? t82 - t81 : t81 - t82);
-        t59 = cross_01 * t80 - t66 * t58;
-        t60 = cross_13 * t80 - t74;
-        t61 = -(t67 + cross_03 * t80);
-        t62 = t65;
-        t63 = t86;
+        const real_t t102 = t48 < t79 ? t98 - t97 : t97 - t98;
+        real_t t103;
+        if (TB_C(0.0) < t102) {
+            const bool t104 = tb_max(t91 + t93, t83 + t85) < tb_min(t92 - t93, t84 - t85);
+            t103 = t104 && t47 < t70 ? t102 : TB_C(0.0);
+        } else {
+            t103 = TB_C(0.0);
+        }
+        t73 = cross_01 * t96 - t80 * t72;
+        t74 = cross_13 * t96 - t89;
+        t75 = -(t81 + cross_03 * t96);
+        t76 = t79;
+        t77 = t103;
     } else {
-        t59 = t38;
-        t60 = t39;
-        t61 = t40;
-        t62 = t37;
-        t63 = t41;
+        t73 = t49;
+        t74 = t50;
+        t75 = t51;
+        t76 = t48;
+        t77 = t52;
     }
-    const real_t t87 = TB_C(10.0) - start_3;
-    const bool t88 = TB_C(0.0) < tb_max(t8 - t11 - t59, t59 - (t11 + t87));
-    real_t t89, t90, t91, t92, t93;
-    if (t88) {
-        const real_t t94 = tb_min(tb_max(t59, t8), t87);
-        const real_t t95 = t94 * (TB_C(1.0) / (t1 + (t3 + t6)));
-        const real_t t96 = t36 * t95;
-        const bool t97 = TB_ABS(cross_01) <= t29;
-        const real_t t98 = t58 * t95;
-        const real_t t99 = TB_C(1.0) / cross_01;
-        real_t t100, t101;
-        if (t97) {
-            t100 = -TB_C(1000000000000.0);
-            t101 = TB_C(1000000000000.0);
-        } else {
-            const real_t t102 = -((t14 + t98) * t99);
-            const real_t t103 = -(t99 * (t56 + t98));
-            t100 = tb_min(t102, t103);
-            t101 = tb_max(t102, t103);
-        }
-        const bool t104 = TB_ABS(cross_02) <= t29;
-        const real_t t105 = t35 * t95;
-        const real_t t106 = TB_C(1.0) / cross_02;
-        real_t t107, t108;
-        if (t104) {
-            t107 = -TB_C(1000000000000.0);
-            t108 = TB_C(1000000000000.0);
-        } else {
-            const real_t t109 = (t17 + t105) * t106;
-            const real_t t110 = t106 * (t27 + t105);
-            t107 = tb_min(t109, t110);
-            t108 = tb_max(t109, t110);
-        }
-        const bool t111 = TB_ABS(cross_12) <= t29;
-        const real_t t112 = TB_C(1.0) / cross_12;
-        real_t t113, t114;
-        if (t111) {
-            t113 = -TB_C(1000000000000.0);
-            t114 = TB_C(1000000000000.0);
-        } else {
-            const real_t t115 = -((t30 - t96) * t112);
-            const real_t t116 = -(t112 * (t32 - t96));
-            t113 = tb_min(t115, t116);
-            t114 = tb_max(t115, t116);
-        }
-        const real_t t117 = tb_max(t107, t113);
-        const real_t t118 = tb_min(t108, t114);
-        const real_t t119 = tb_min(tb_max(TB_C(0.0), tb_max(t100, t117)), tb_min(t101, t118));
-        const real_t t120 = determinant * t95;
-        real_t t121;
-        if (TB_C(0.0) < TB_ABS(t119)) {
-            const real_t t122 = t58 * t99;
-            const real_t t123 = -(t35 * t106);
-            const real_t t124 = -(t36 * t112);
-            real_t t125;
-            if (TB_C(0.0) < t119) {
-                t125 = t117 < t100 ? t122 : (t113 < t107 ? t123 : t124);
-            } else {
-                t125 = t101 < t118 ? t122 : (t108 < t114 ? t123 : t124);
-            }
-            t121 = t119 * t125;
-        } else {
+    const real_t t105 = TB_C(10.0) - start_3;
+    const real_t t106 = tb_max(t16 - t19 - t73, t73 - (t19 + t105));
+    const bool t107 = TB_C(0.0) < t106;
+    real_t t108, t109, t110, t111, t112;
+    if (t107) {
+        const real_t t113 = tb_min(tb_max(t73, t16), t105);
+        const real_t t114 = t113 * (TB_C(1.0) / (t7 + (t9 + t14)));
+        const real_t t115 = t45 * t114;
+        const bool t116 = TB_ABS(cross_01) <= t38;
+        const real_t t117 = t72 * t114;
+        const real_t t118 = TB_C(1.0) / cross_01;
+        real_t t119, t120, t121;
+        if (t116) {
+            t119 = -TB_C(1000000000000.0);
+            t120 = TB_C(1000000000000.0);
             t121 = TB_C(0.0);
+        } else {
+            const real_t t122 = -((t22 + t117) * t118);
+            const real_t t123 = -(t118 * (t69 + t117));
+            t119 = tb_min(t122, t123);
+            t120 = tb_max(t122, t123);
+            t121 = t46 * TB_ABS(TB_C(1.0) / (t6 - t5));
         }
-        const real_t t126 = tb_max(TB_C(0.0), t59 < t94 ? t121 - t120 : t120 - t121);
-        t89 = t96 - cross_12 * t119;
-        t90 = cross_02 * t119 - t105;
-        t91 = -(t98 + cross_01 * t119);
-        t92 = t94;
-        t93 = t126;
+        const bool t124 = TB_ABS(cross_02) <= t38;
+        const real_t t125 = t44 * t114;
+        const real_t t126 = TB_C(1.0) / cross_02;
+        real_t t127, t128, t129;
+        if (t124) {
+            t127 = -TB_C(1000000000000.0);
+            t128 = TB_C(1000000000000.0);
+            t129 = TB_C(0.0);
+        } else {
+            const real_t t130 = (t25 + t125) * t126;
+            const real_t t131 = t126 * (t35 + t125);
+            t127 = tb_min(t130, t131);
+            t128 = tb_max(t130, t131);
+            t129 = t46 * TB_ABS(t126);
+        }
+        const bool t132 = TB_ABS(cross_12) <= t38;
+        const real_t t133 = TB_C(1.0) / cross_12;
+        real_t t134, t135, t136;
+        if (t132) {
+            t134 = -TB_C(1000000000000.0);
+            t135 = TB_C(1000000000000.0);
+            t136 = TB_C(0.0);
+        } else {
+            const real_t t137 = -((t39 - t115) * t133);
+            const real_t t138 = -(t133 * (t41 - t115));
+            t134 = tb_min(t137, t138);
+            t135 = tb_max(t137, t138);
+            t136 = t46 * TB_ABS(TB_C(1.0) / (t13 - t12));
+        }
+        const real_t t139 = tb_max(t127, t134);
+        const real_t t140 = tb_min(t128, t135);
+        const real_t t141 = tb_min(tb_max(TB_C(0.0), tb_max(t119, t139)), tb_min(t120, t140));
+        const real_t t142 = determinant * t114;
+        real_t t143;
+        if (TB_C(0.0) < TB_ABS(t141)) {
+            const real_t t144 = t72 * t118;
+            const real_t t145 = -(t44 * t126);
+            const real_t t146 = -(t45 * t133);
+            real_t t147;
+            if (TB_C(0.0) < t141) {
+                t147 = t139 < t119 ? t144 : (t134 < t127 ? t145 : t146);
+            } else {
+                t147 = t120 < t140 ? t144 : (t128 < t135 ? t145 : t146);
+            }
+            t143 = t141 * t147;
+        } else {
+            t143 = TB_C(0.0);
+        }
+        const real_t t148 = t73 < t113 ? t143 - t142 : t142 - t143;
+        real_t t149;
+        if (TB_C(0.0) < t148) {
+            const real_t t150 = tb_max(tb_max(t134 + t136, t127 + t129), t119 + t121);
+            const real_t t151 = tb_min(tb_min(t135 - t136, t128 - t129), t120 - t121);
+            t149 = t150 < t151 && t47 < t106 ? t148 : TB_C(0.0);
+        } else {
+            t149 = TB_C(0.0);
+        }
+        t108 = t115 - cross_12 * t141;
+        t109 = cross_02 * t141 - t125;
+        t110 = -(t117 + cross_01 * t141);
+        t111 = t113;
+        t112 = t149;
     } else {
-        t89 = t60;
-        t90 = t61;
-        t91 = t62;
-        t92 = t59;
-        t93 = t63;
+        t108 = t74;
+        t109 = t75;
+        t110 = t76;
+        t111 = t73;
+        t112 = t77;
     }
-    const real_t tension_0 = tb_min(tb_max(t89 - t20, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t90, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t91, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t92, TB_C(3.0)), TB_C(10.0));
-    const real_t t127 = structure[0] * tension_0 + structure[1] * tension_1;
+    const real_t tension_0 = tb_min(tb_max(t108 - t28, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(start_1 + t109, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(start_2 + t110, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(start_3 + t111, TB_C(3.0)), TB_C(10.0));
+    const real_t t152 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t127 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t128 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t128 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t kkt_residual_0 = tb_max(tb_max(t93, TB_ABS(delivered_0 - wrench[0])),
+    const real_t delivered_0 = t152 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t153 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t153 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t kkt_residual_0 = tb_max(tb_max(t112, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const bool t129 = !(TB_EPSILON * TB_C(4096.0) < t9);
-    const bool t130 = kkt_residual_0 <= t10 * (TB_EPSILON * TB_C(640.0));
-    const bool t131 = !t130;
-    if (t129) {
+    const bool t154 = !(TB_EPSILON * TB_C(4096.0) < t17);
+    const bool t155 = kkt_residual_0 <= t18 * (TB_EPSILON * TB_C(1280.0));
+    const bool t156 = !t155;
+    if (t154) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -265,7 +306,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t131) {
+    if (t156) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -362,207 +403,241 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t53 = t47 * t52;
     const real_t t54 = TB_C(10.0) - start_1;
     const real_t t55 = t26 + t54;
-    const bool t56 = TB_C(0.0) < tb_max(t30 - t53, t53 - t55);
-    const real_t t57 = t42 + structure[2] * t44;
-    const real_t t58 = t32 - structure[2] * t36;
-    const real_t t59 = t46 * t57 - t38 * t58;
-    const real_t t60 = t38 * t57 + t46 * t58;
-    const real_t t61 = TB_EPSILON * TB_C(16.0);
-    const real_t t62 = t49 - t26;
-    const real_t t63 = t26 + t50;
-    const real_t t64 = t45 * t57 - t37 * t58;
-    const real_t t65 = t34 + structure[3] * t36;
-    const real_t t66 = t40 - structure[3] * t44;
-    const real_t t67 = t38 * t65 - t46 * t66;
-    const real_t t68 = t38 * t66 + t46 * t65;
-    const real_t t69 = t37 * t65 - t45 * t66;
-    real_t t70, t71, t72, t73, t74;
-    if (t56) {
-        const real_t t75 = tb_min(tb_max(t53, t29), t54);
-        const real_t t76 = t75 * (TB_C(1.0) / (t38 * t38 + t46 * t46));
-        const real_t t77 = t38 * t45 - t37 * t46;
-        const bool t78 = TB_ABS(t77) <= t61;
-        const real_t t79 = t47 * t76;
-        const real_t t80 = TB_C(1.0) / t77;
-        real_t t81, t82;
-        if (t78) {
-            t81 = -TB_C(1000000000000.0);
-            t82 = TB_C(1000000000000.0);
+    const real_t t56 = tb_max(t30 - t53, t53 - t55);
+    const bool t57 = TB_C(0.0) < t56;
+    const real_t t58 = t42 + structure[2] * t44;
+    const real_t t59 = t32 - structure[2] * t36;
+    const real_t t60 = t46 * t58 - t38 * t59;
+    const real_t t61 = t38 * t58 + t46 * t59;
+    const real_t t62 = TB_EPSILON * TB_C(16.0);
+    const real_t t63 = t49 - t26;
+    const real_t t64 = t26 + t50;
+    const real_t t65 = t45 * t58 - t37 * t59;
+    const real_t t66 = t34 + structure[3] * t36;
+    const real_t t67 = t40 - structure[3] * t44;
+    const real_t t68 = t38 * t66 - t46 * t67;
+    const real_t t69 = t38 * t67 + t46 * t66;
+    const real_t t70 = t37 * t66 - t45 * t67;
+    const real_t t71 = t26 * TB_C(2.0);
+    const real_t t72 = t26 * TB_C(1024.0);
+    real_t t73, t74, t75, t76, t77;
+    if (t57) {
+        const real_t t78 = tb_min(tb_max(t53, t29), t54);
+        const real_t t79 = t78 * (TB_C(1.0) / (t38 * t38 + t46 * t46));
+        const real_t t80 = t38 * t45 - t37 * t46;
+        const bool t81 = TB_ABS(t80) <= t62;
+        const real_t t82 = t47 * t79;
+        const real_t t83 = TB_C(1.0) / t80;
+        real_t t84, t85, t86;
+        if (t81) {
+            t84 = -TB_C(1000000000000.0);
+            t85 = TB_C(1000000000000.0);
+            t86 = TB_C(0.0);
         } else {
-            const real_t t83 = (t62 - t79) * t80;
-            const real_t t84 = t80 * (t63 - t79);
-            t81 = tb_min(t83, t84);
-            t82 = tb_max(t83, t84);
+            const real_t t87 = (t63 - t82) * t83;
+            const real_t t88 = t83 * (t64 - t82);
+            t84 = tb_min(t87, t88);
+            t85 = tb_max(t87, t88);
+            t86 = t71 * TB_ABS(t83);
         }
-        const real_t t85 = tb_min(tb_max(TB_C(0.0), t81), t82);
-        const real_t t86 = TB_C(0.0) < TB_ABS(t85) ? t85 * (t47 * t80) : TB_C(0.0);
-        const real_t t87 = tb_max(TB_C(0.0), t53 < t75 ? t86 - t76 : t76 - t86);
-        t70 = t59 * t76 + t60 * t85;
-        t71 = t76 * t67 - t85 * t68;
-        t72 = t79 + t77 * t85;
-        t73 = t75;
-        t74 = t87;
+        const real_t t89 = tb_min(tb_max(TB_C(0.0), t84), t85);
+        const real_t t90 = TB_C(0.0) < TB_ABS(t89) ? t89 * (t47 * t83) : TB_C(0.0);
+        const real_t t91 = t53 < t78 ? t90 - t79 : t79 - t90;
+        const real_t t92 = t84 + t86 < t85 - t86 && t72 < t56 ? t91 : TB_C(0.0);
+        t73 = t60 * t79 + t61 * t89;
+        t74 = t79 * t68 - t89 * t69;
+        t75 = t82 + t80 * t89;
+        t76 = t78;
+        t77 = TB_C(0.0) < t91 ? t92 : TB_C(0.0);
     } else {
-        t70 = t52 * t64;
-        t71 = t52 * t69;
-        t72 = t51;
-        t73 = t53;
-        t74 = TB_C(0.0);
+        t73 = t52 * t65;
+        t74 = t52 * t70;
+        t75 = t51;
+        t76 = t53;
+        t77 = TB_C(0.0);
     }
-    const real_t t88 = TB_C(10.0) - start_2;
-    const real_t t89 = t26 + t88;
-    const bool t90 = TB_C(0.0) < tb_max(t28 - t70, t70 - t89);
-    const real_t t91 = t58 * t66;
-    const real_t t92 = t57 * t65;
-    const real_t t93 = t58 * t65 + t57 * t66;
-    real_t t94, t95, t96, t97, t98;
-    if (t90) {
-        const bool t99 = TB_ABS(t60) <= t61;
-        const real_t t100 = tb_min(tb_max(t70, t27), t88);
-        const real_t t101 = t100 * (TB_C(1.0) / (t58 * t58 + t57 * t57));
-        const real_t t102 = t59 * t101;
-        const real_t t103 = TB_C(1.0) / t60;
-        real_t t104, t105;
-        if (t99) {
-            t104 = -TB_C(1000000000000.0);
-            t105 = TB_C(1000000000000.0);
+    const real_t t93 = TB_C(10.0) - start_2;
+    const real_t t94 = t26 + t93;
+    const real_t t95 = tb_max(t28 - t73, t73 - t94);
+    const bool t96 = TB_C(0.0) < t95;
+    const real_t t97 = t59 * t67;
+    const real_t t98 = t58 * t66;
+    const real_t t99 = t59 * t66 + t58 * t67;
+    real_t t100, t101, t102, t103, t104;
+    if (t96) {
+        const bool t105 = TB_ABS(t61) <= t62;
+        const real_t t106 = tb_min(tb_max(t73, t27), t93);
+        const real_t t107 = t106 * (TB_C(1.0) / (t59 * t59 + t58 * t58));
+        const real_t t108 = t60 * t107;
+        const real_t t109 = TB_C(1.0) / t61;
+        real_t t110, t111, t112;
+        if (t105) {
+            t110 = -TB_C(1000000000000.0);
+            t111 = TB_C(1000000000000.0);
+            t112 = TB_C(0.0);
         } else {
-            const real_t t106 = -((t30 - t102) * t103);
-            const real_t t107 = -(t103 * (t55 - t102));
-            t104 = tb_min(t106, t107);
-            t105 = tb_max(t106, t107);
+            const real_t t113 = -((t30 - t108) * t109);
+            const real_t t114 = -(t109 * (t55 - t108));
+            t110 = tb_min(t113, t114);
+            t111 = tb_max(t113, t114);
+            t112 = t71 * TB_ABS(TB_C(1.0) / -t61);
         }
-        const real_t t108 = t45 * t58 + t37 * t57;
-        const bool t109 = TB_ABS(t108) <= t61;
-        const real_t t110 = t64 * t101;
-        const real_t t111 = TB_C(1.0) / t108;
-        real_t t112, t113;
-        if (t109) {
-            t112 = -TB_C(1000000000000.0);
-            t113 = TB_C(1000000000000.0);
+        const real_t t115 = t45 * t59 + t37 * t58;
+        const bool t116 = TB_ABS(t115) <= t62;
+        const real_t t117 = t65 * t107;
+        const real_t t118 = TB_C(1.0) / t115;
+        real_t t119, t120, t121;
+        if (t116) {
+            t119 = -TB_C(1000000000000.0);
+            t120 = TB_C(1000000000000.0);
+            t121 = TB_C(0.0);
         } else {
-            const real_t t114 = -((t62 - t110) * t111);
-            const real_t t115 = -(t111 * (t63 - t110));
-            t112 = tb_min(t114, t115);
-            t113 = tb_max(t114, t115);
+            const real_t t122 = -((t63 - t117) * t118);
+            const real_t t123 = -(t118 * (t64 - t117));
+            t119 = tb_min(t122, t123);
+            t120 = tb_max(t122, t123);
+            t121 = t71 * TB_ABS(TB_C(1.0) / -t115);
         }
-        const real_t t116 = tb_min(tb_max(TB_C(0.0), tb_max(t104, t112)), tb_min(t105, t113));
-        real_t t117;
-        if (TB_C(0.0) < TB_ABS(t116)) {
-            const real_t t118 = -(t59 * t103);
-            const real_t t119 = -(t64 * t111);
-            const real_t t120 = TB_C(0.0) < t116 ? (t112 < t104 ? t118 : t119) : (t105 < t113 ?
-                t118 : t119);
-            t117 = t116 * t120;
+        const real_t t124 = tb_min(tb_max(TB_C(0.0), tb_max(t110, t119)), tb_min(t111, t120));
+        real_t t125;
+        if (TB_C(0.0) < TB_ABS(t124)) {
+            const real_t t126 = -(t60 * t109);
+            const real_t t127 = -(t65 * t118);
+            const real_t t128 = TB_C(0.0) < t124 ? (t119 < t110 ? t126 : t127) : (t111 < t120 ?
+                t126 : t127);
+            t125 = t124 * t128;
         } else {
-            t117 = TB_C(0.0);
+            t125 = TB_C(0.0);
         }
-        const real_t t121 = tb_max(TB_C(0.0), t70 < t100 ? t117 - t101 : t101 - t117);
-        t94 = (t91 - t92) * t116 - t101 * t93;
-        t95 = t110 - t108 * t116;
-        t96 = t102 - t60 * t116;
-        t97 = t100;
-        t98 = t121;
+        const real_t t129 = t73 < t106 ? t125 - t107 : t107 - t125;
+        real_t t130;
+        if (TB_C(0.0) < t129) {
+            const bool t131 = tb_max(t119 + t121, t110 + t112) < tb_min(t120 - t121, t111 -
+                t112);
+            t130 = t131 && t72 < t95 ? t129 : TB_C(0.0);
+        } else {
+            t130 = TB_C(0.0);
+        }
+        t100 = (t97 - t98) * t124 - t107 * t99;
+        t101 = t117 - t115 * t124;
+        t102 = t108 - t61 * t124;
+        t103 = t106;
+        t104 = t130;
     } else {
-        t94 = t71;
-        t95 = t72;
-        t96 = t73;
-        t97 = t70;
-        t98 = t74;
+        t100 = t74;
+        t101 = t75;
+        t102 = t76;
+        t103 = t73;
+        t104 = t77;
     }
-    const real_t t122 = TB_C(10.0) - start_3;
-    const bool t123 = TB_C(0.0) < tb_max(t23 - t26 - t94, t94 - (t26 + t122));
-    real_t t124, t125, t126, t127, t128;
-    if (t123) {
-        const real_t t129 = tb_min(tb_max(t94, t23), t122);
-        const real_t t130 = t129 * (TB_C(1.0) / (t65 * t65 + t66 * t66));
-        const real_t t131 = t69 * t130;
-        const real_t t132 = t45 * t65 + t37 * t66;
-        const real_t t133 = t92 - t91;
-        const bool t134 = TB_ABS(t133) <= t61;
-        const real_t t135 = t93 * t130;
-        const real_t t136 = TB_C(1.0) / t133;
-        real_t t137, t138;
-        if (t134) {
-            t137 = -TB_C(1000000000000.0);
-            t138 = TB_C(1000000000000.0);
+    const real_t t132 = TB_C(10.0) - start_3;
+    const real_t t133 = tb_max(t23 - t26 - t100, t100 - (t26 + t132));
+    const bool t134 = TB_C(0.0) < t133;
+    real_t t135, t136, t137, t138, t139;
+    if (t134) {
+        const real_t t140 = tb_min(tb_max(t100, t23), t132);
+        const real_t t141 = t140 * (TB_C(1.0) / (t66 * t66 + t67 * t67));
+        const real_t t142 = t70 * t141;
+        const real_t t143 = t45 * t66 + t37 * t67;
+        const real_t t144 = t98 - t97;
+        const bool t145 = TB_ABS(t144) <= t62;
+        const real_t t146 = t99 * t141;
+        const real_t t147 = TB_C(1.0) / t144;
+        real_t t148, t149, t150;
+        if (t145) {
+            t148 = -TB_C(1000000000000.0);
+            t149 = TB_C(1000000000000.0);
+            t150 = TB_C(0.0);
         } else {
-            const real_t t139 = (t28 + t135) * t136;
-            const real_t t140 = t136 * (t89 + t135);
-            t137 = tb_min(t139, t140);
-            t138 = tb_max(t139, t140);
+            const real_t t151 = (t28 + t146) * t147;
+            const real_t t152 = t147 * (t94 + t146);
+            t148 = tb_min(t151, t152);
+            t149 = tb_max(t151, t152);
+            t150 = t71 * TB_ABS(t147);
         }
-        const bool t141 = TB_ABS(t68) <= t61;
-        const real_t t142 = t67 * t130;
-        const real_t t143 = TB_C(1.0) / t68;
-        real_t t144, t145;
-        if (t141) {
-            t144 = -TB_C(1000000000000.0);
-            t145 = TB_C(1000000000000.0);
+        const bool t153 = TB_ABS(t69) <= t62;
+        const real_t t154 = t68 * t141;
+        const real_t t155 = TB_C(1.0) / t69;
+        real_t t156, t157, t158;
+        if (t153) {
+            t156 = -TB_C(1000000000000.0);
+            t157 = TB_C(1000000000000.0);
+            t158 = TB_C(0.0);
         } else {
-            const real_t t146 = (t30 - t142) * t143;
-            const real_t t147 = t143 * (t55 - t142);
-            t144 = tb_min(t146, t147);
-            t145 = tb_max(t146, t147);
+            const real_t t159 = (t30 - t154) * t155;
+            const real_t t160 = t155 * (t55 - t154);
+            t156 = tb_min(t159, t160);
+            t157 = tb_max(t159, t160);
+            t158 = t71 * TB_ABS(t155);
         }
-        const bool t148 = TB_ABS(t132) <= t61;
-        const real_t t149 = TB_C(1.0) / t132;
-        real_t t150, t151;
-        if (t148) {
-            t150 = -TB_C(1000000000000.0);
-            t151 = TB_C(1000000000000.0);
+        const bool t161 = TB_ABS(t143) <= t62;
+        const real_t t162 = TB_C(1.0) / t143;
+        real_t t163, t164, t165;
+        if (t161) {
+            t163 = -TB_C(1000000000000.0);
+            t164 = TB_C(1000000000000.0);
+            t165 = TB_C(0.0);
         } else {
-            const real_t t152 = (t62 - t131) * t149;
-            const real_t t153 = t149 * (t63 - t131);
-            t150 = tb_min(t152, t153);
-            t151 = tb_max(t152, t153);
+            const real_t t166 = (t63 - t142) * t162;
+            const real_t t167 = t162 * (t64 - t142);
+            t163 = tb_min(t166, t167);
+            t164 = tb_max(t166, t167);
+            t165 = t71 * TB_ABS(t162);
         }
-        const real_t t154 = tb_max(t144, t150);
-        const real_t t155 = tb_min(t145, t151);
-        const real_t t156 = tb_min(tb_max(TB_C(0.0), tb_max(t137, t154)), tb_min(t138, t155));
-        real_t t157;
-        if (TB_C(0.0) < TB_ABS(t156)) {
-            const real_t t158 = -(t93 * t136);
-            const real_t t159 = t67 * t143;
-            const real_t t160 = t69 * t149;
-            real_t t161;
-            if (TB_C(0.0) < t156) {
-                t161 = t154 < t137 ? t158 : (t150 < t144 ? t159 : t160);
+        const real_t t168 = tb_max(t156, t163);
+        const real_t t169 = tb_min(t157, t164);
+        const real_t t170 = tb_min(tb_max(TB_C(0.0), tb_max(t148, t168)), tb_min(t149, t169));
+        real_t t171;
+        if (TB_C(0.0) < TB_ABS(t170)) {
+            const real_t t172 = -(t99 * t147);
+            const real_t t173 = t68 * t155;
+            const real_t t174 = t70 * t162;
+            real_t t175;
+            if (TB_C(0.0) < t170) {
+                t175 = t168 < t148 ? t172 : (t163 < t156 ? t173 : t174);
             } else {
-                t161 = t138 < t155 ? t158 : (t145 < t151 ? t159 : t160);
+                t175 = t149 < t169 ? t172 : (t157 < t164 ? t173 : t174);
             }
-            t157 = t156 * t161;
+            t171 = t170 * t175;
         } else {
-            t157 = TB_C(0.0);
+            t171 = TB_C(0.0);
         }
-        const real_t t162 = tb_max(TB_C(0.0), t94 < t129 ? t157 - t130 : t130 - t157);
-        t124 = t131 + t132 * t156;
-        t125 = t142 + t68 * t156;
-        t126 = t133 * t156 - t135;
-        t127 = t129;
-        t128 = t162;
+        const real_t t176 = t100 < t140 ? t171 - t141 : t141 - t171;
+        real_t t177;
+        if (TB_C(0.0) < t176) {
+            const real_t t178 = tb_max(tb_max(t163 + t165, t156 + t158), t148 + t150);
+            const real_t t179 = tb_min(tb_min(t164 - t165, t157 - t158), t149 - t150);
+            t177 = t178 < t179 && t72 < t133 ? t176 : TB_C(0.0);
+        } else {
+            t177 = TB_C(0.0);
+        }
+        t135 = t142 + t143 * t170;
+        t136 = t154 + t69 * t170;
+        t137 = t144 * t170 - t146;
+        t138 = t140;
+        t139 = t177;
     } else {
-        t124 = t95;
-        t125 = t96;
-        t126 = t97;
-        t127 = t94;
-        t128 = t98;
+        t135 = t101;
+        t136 = t102;
+        t137 = t103;
+        t138 = t100;
+        t139 = t104;
     }
-    const real_t tension_0 = tb_min(tb_max(t124 - t48, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t125, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t126, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t127, TB_C(3.0)), TB_C(10.0));
-    const real_t t163 = structure[0] * tension_0 + structure[1] * tension_1;
+    const real_t tension_0 = tb_min(tb_max(t135 - t48, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(start_1 + t136, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(start_2 + t137, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(start_3 + t138, TB_C(3.0)), TB_C(10.0));
+    const real_t t180 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t163 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t164 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t164 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t kkt_residual_0 = tb_max(tb_max(t128, TB_ABS(delivered_0 - wrench[0])),
+    const real_t delivered_0 = t180 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t181 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t181 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t kkt_residual_0 = tb_max(tb_max(t139, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const bool t165 = !(TB_EPSILON * TB_C(4096.0) < t24);
-    const bool t166 = kkt_residual_0 <= t25 * (TB_EPSILON * TB_C(640.0));
-    const bool t167 = !t166;
-    if (t165) {
+    const bool t182 = !(TB_EPSILON * TB_C(4096.0) < t24);
+    const bool t183 = kkt_residual_0 <= t25 * (TB_EPSILON * TB_C(1280.0));
+    const bool t184 = !t183;
+    if (t182) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -572,7 +647,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t167) {
+    if (t184) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -656,168 +731,172 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
     } else {
         const real_t t41 = structure[0] * wrench[1] - structure[4] * wrench[0];
         const bool t42 = TB_C(0.0) < TB_ABS(t41);
-        real_t t43, t44;
+        const real_t t43 = structure[0] * t1 - structure[4] * t4;
+        real_t t44, t45;
         if (t42) {
-            const real_t t45 = structure[0] * t1 - structure[4] * t4;
             const real_t t46 = TB_C(1.0) / t41;
-            const real_t t47 = (t45 - facet_0) * t46;
-            const real_t t48 = t46 * (facet_0 + t45);
-            t43 = tb_max(t47, t48);
-            t44 = tb_min(t47, t48);
+            const real_t t47 = (t43 - facet_0) * t46;
+            const real_t t48 = t46 * (facet_0 + t43);
+            t44 = tb_max(t47, t48);
+            t45 = tb_min(t47, t48);
         } else {
-            t43 = TB_C(1e+30);
-            t44 = -TB_C(1e+30);
+            const real_t t49 = TB_ABS(t43) <= facet_0 ? -TB_C(1e+30) : TB_C(1e+30);
+            t44 = TB_C(1e+30);
+            t45 = t49;
         }
-        const real_t t49 = wrench[1] * structure[1] - structure[5] * wrench[0];
-        const bool t50 = TB_C(0.0) < TB_ABS(t49);
-        real_t t51, t52;
-        if (t50) {
-            const real_t t53 = t1 * structure[1] - structure[5] * t4;
-            const real_t t54 = TB_C(1.0) / t49;
-            const real_t t55 = (t53 - facet_1) * t54;
-            const real_t t56 = t54 * (facet_1 + t53);
-            t51 = tb_max(t55, t56);
-            t52 = tb_min(t55, t56);
+        const real_t t50 = wrench[1] * structure[1] - structure[5] * wrench[0];
+        const bool t51 = TB_C(0.0) < TB_ABS(t50);
+        const real_t t52 = t1 * structure[1] - structure[5] * t4;
+        real_t t53, t54;
+        if (t51) {
+            const real_t t55 = TB_C(1.0) / t50;
+            const real_t t56 = (t52 - facet_1) * t55;
+            const real_t t57 = t55 * (facet_1 + t52);
+            t53 = tb_max(t56, t57);
+            t54 = tb_min(t56, t57);
         } else {
-            t51 = TB_C(1e+30);
-            t52 = -TB_C(1e+30);
+            const real_t t58 = TB_ABS(t52) <= facet_1 ? -TB_C(1e+30) : TB_C(1e+30);
+            t53 = TB_C(1e+30);
+            t54 = t58;
         }
-        const real_t t57 = wrench[1] * structure[2] - structure[6] * wrench[0];
-        const bool t58 = TB_C(0.0) < TB_ABS(t57);
-        real_t t59, t60;
-        if (t58) {
-            const real_t t61 = t1 * structure[2] - structure[6] * t4;
-            const real_t t62 = TB_C(1.0) / t57;
-            const real_t t63 = (t61 - facet_2) * t62;
-            const real_t t64 = t62 * (facet_2 + t61);
-            t59 = tb_max(t63, t64);
-            t60 = tb_min(t63, t64);
+        const real_t t59 = wrench[1] * structure[2] - structure[6] * wrench[0];
+        const bool t60 = TB_C(0.0) < TB_ABS(t59);
+        const real_t t61 = t1 * structure[2] - structure[6] * t4;
+        real_t t62, t63;
+        if (t60) {
+            const real_t t64 = TB_C(1.0) / t59;
+            const real_t t65 = (t61 - facet_2) * t64;
+            const real_t t66 = t64 * (facet_2 + t61);
+            t62 = tb_max(t65, t66);
+            t63 = tb_min(t65, t66);
         } else {
-            t59 = TB_C(1e+30);
-            t60 = -TB_C(1e+30);
+            const real_t t67 = TB_ABS(t61) <= facet_2 ? -TB_C(1e+30) : TB_C(1e+30);
+            t62 = TB_C(1e+30);
+            t63 = t67;
         }
-        const real_t t65 = wrench[1] * structure[3] - structure[7] * wrench[0];
-        const bool t66 = TB_C(0.0) < TB_ABS(t65);
-        real_t t67, t68;
-        if (t66) {
-            const real_t t69 = t1 * structure[3] - structure[7] * t4;
-            const real_t t70 = TB_C(1.0) / t65;
-            const real_t t71 = (t69 - facet_3) * t70;
-            const real_t t72 = t70 * (facet_3 + t69);
-            t67 = tb_max(t71, t72);
-            t68 = tb_min(t71, t72);
+        const real_t t68 = wrench[1] * structure[3] - structure[7] * wrench[0];
+        const bool t69 = TB_C(0.0) < TB_ABS(t68);
+        const real_t t70 = t1 * structure[3] - structure[7] * t4;
+        real_t t71, t72;
+        if (t69) {
+            const real_t t73 = TB_C(1.0) / t68;
+            const real_t t74 = (t70 - facet_3) * t73;
+            const real_t t75 = t73 * (facet_3 + t70);
+            t71 = tb_max(t74, t75);
+            t72 = tb_min(t74, t75);
         } else {
-            t67 = TB_C(1e+30);
-            t68 = -TB_C(1e+30);
+            const real_t t76 = TB_ABS(t70) <= facet_3 ? -TB_C(1e+30) : TB_C(1e+30);
+            t71 = TB_C(1e+30);
+            t72 = t76;
         }
-        const real_t t73 = tb_min(tb_min(tb_min(t43, t51), t59), t67);
-        const real_t t74 = tb_min(t73, TB_C(1.0));
-        const bool t75 = t74 < tb_max(tb_max(tb_max(t44, t52), t60), t68) || t73 < TB_C(0.0);
-        real_t t76, t77;
-        if (t75) {
-            const bool t78 = TB_C(0.0) < t37;
-            const bool t79 = TB_C(0.0) < t17 - t16;
-            const bool t80 = !t78;
-            const real_t t81 = (t78 && t79) || (t80 && !t79) ? TB_C(10.0) : TB_C(3.0);
-            const bool t82 = TB_C(0.0) < t27 - t26;
-            const real_t t83 = (t78 && t82) || (t80 && !t82) ? TB_C(10.0) : TB_C(3.0);
-            const bool t84 = TB_C(0.0) < t33 - t32;
-            const real_t t85 = (t78 && t84) || (t80 && !t84) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t86 = structure[0] * t81 + structure[1] * t83 + structure[2] * t85;
-            const real_t t87 = structure[4] * t81 + structure[5] * t83 + structure[6] * t85;
-            const real_t t88 = structure[3] * (wrench[0] - t86) + structure[7] * (wrench[1] -
-                t87);
-            const real_t t89 = structure[3] * structure[3] + structure[7] * structure[7];
-            const real_t t90 = tb_min(tb_max(t88 * (TB_C(1.0) / t89), TB_C(3.0)), TB_C(10.0));
-            const real_t t91 = t86 + structure[3] * t90;
-            const real_t t92 = t91 - wrench[0];
-            const real_t t93 = t87 + structure[7] * t90;
-            const real_t t94 = t93 - wrench[1];
-            const real_t t95 = facet_3 < t38 ? t92 * t92 + t94 * t94 : TB_C(1e+30);
-            const bool t96 = TB_C(0.0) < t30;
-            const bool t97 = TB_C(0.0) < t13 - t12;
-            const bool t98 = !t96;
-            const real_t t99 = (t96 && t97) || (t98 && !t97) ? TB_C(10.0) : TB_C(3.0);
-            const bool t100 = TB_C(0.0) < t23 - t22;
-            const real_t t101 = (t96 && t100) || (t98 && !t100) ? TB_C(10.0) : TB_C(3.0);
-            const bool t102 = TB_C(0.0) <= t34;
-            const real_t t103 = (t96 && t102) || (t98 && !t102) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t104 = structure[0] * t99 + structure[1] * t101 + structure[3] * t103;
-            const real_t t105 = structure[4] * t99 + structure[5] * t101 + structure[7] * t103;
-            const real_t t106 = structure[2] * (wrench[0] - t104) + structure[6] * (wrench[1] -
-                t105);
-            const real_t t107 = structure[2] * structure[2] + structure[6] * structure[6];
-            const real_t t108 = tb_min(tb_max(t106 * (TB_C(1.0) / t107), TB_C(3.0)),
+        const real_t t77 = tb_min(tb_min(tb_min(t44, t53), t62), t71);
+        const real_t t78 = tb_min(t77, TB_C(1.0));
+        const bool t79 = t78 < tb_max(tb_max(tb_max(t45, t54), t63), t72) || t77 < TB_C(0.0);
+        real_t t80, t81;
+        if (t79) {
+            const bool t82 = TB_C(0.0) < t37;
+            const bool t83 = TB_C(0.0) < t17 - t16;
+            const bool t84 = !t82;
+            const real_t t85 = (t82 && t83) || (t84 && !t83) ? TB_C(10.0) : TB_C(3.0);
+            const bool t86 = TB_C(0.0) < t27 - t26;
+            const real_t t87 = (t82 && t86) || (t84 && !t86) ? TB_C(10.0) : TB_C(3.0);
+            const bool t88 = TB_C(0.0) < t33 - t32;
+            const real_t t89 = (t82 && t88) || (t84 && !t88) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t90 = structure[0] * t85 + structure[1] * t87 + structure[2] * t89;
+            const real_t t91 = structure[4] * t85 + structure[5] * t87 + structure[6] * t89;
+            const real_t t92 = structure[3] * (wrench[0] - t90) + structure[7] * (wrench[1] -
+                t91);
+            const real_t t93 = structure[3] * structure[3] + structure[7] * structure[7];
+            const real_t t94 = tb_min(tb_max(t92 * (TB_C(1.0) / t93), TB_C(3.0)), TB_C(10.0));
+            const real_t t95 = t90 + structure[3] * t94;
+            const real_t t96 = t95 - wrench[0];
+            const real_t t97 = t91 + structure[7] * t94;
+            const real_t t98 = t97 - wrench[1];
+            const real_t t99 = facet_3 < t38 ? t96 * t96 + t98 * t98 : TB_C(1e+30);
+            const bool t100 = TB_C(0.0) < t30;
+            const bool t101 = TB_C(0.0) < t13 - t12;
+            const bool t102 = !t100;
+            const real_t t103 = (t100 && t101) || (t102 && !t101) ? TB_C(10.0) : TB_C(3.0);
+            const bool t104 = TB_C(0.0) < t23 - t22;
+            const real_t t105 = (t100 && t104) || (t102 && !t104) ? TB_C(10.0) : TB_C(3.0);
+            const bool t106 = TB_C(0.0) <= t34;
+            const real_t t107 = (t100 && t106) || (t102 && !t106) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t108 = structure[0] * t103 + structure[1] * t105 + structure[3] * t107;
+            const real_t t109 = structure[4] * t103 + structure[5] * t105 + structure[7] * t107;
+            const real_t t110 = structure[2] * (wrench[0] - t108) + structure[6] * (wrench[1] -
+                t109);
+            const real_t t111 = structure[2] * structure[2] + structure[6] * structure[6];
+            const real_t t112 = tb_min(tb_max(t110 * (TB_C(1.0) / t111), TB_C(3.0)),
                 TB_C(10.0));
-            const real_t t109 = t104 + structure[2] * t108;
-            const real_t t110 = t109 - wrench[0];
-            const real_t t111 = t105 + structure[6] * t108;
-            const real_t t112 = t111 - wrench[1];
-            const real_t t113 = facet_2 < t31 ? t110 * t110 + t112 * t112 : TB_C(1e+30);
-            const bool t114 = TB_C(0.0) < t20;
-            const bool t115 = TB_C(0.0) < t9 - t8;
-            const bool t116 = !t114;
-            const real_t t117 = (t114 && t115) || (t116 && !t115) ? TB_C(10.0) : TB_C(3.0);
-            const bool t118 = TB_C(0.0) <= t24;
-            const real_t t119 = (t114 && t118) || (t116 && !t118) ? TB_C(10.0) : TB_C(3.0);
-            const bool t120 = TB_C(0.0) <= t28;
-            const real_t t121 = (t114 && t120) || (t116 && !t120) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t122 = structure[0] * t117 + structure[2] * t119 + structure[3] * t121;
-            const real_t t123 = structure[4] * t117 + structure[6] * t119 + structure[7] * t121;
-            const real_t t124 = structure[1] * (wrench[0] - t122) + structure[5] * (wrench[1] -
-                t123);
-            const real_t t125 = structure[1] * structure[1] + structure[5] * structure[5];
-            const real_t t126 = tb_min(tb_max(t124 * (TB_C(1.0) / t125), TB_C(3.0)),
+            const real_t t113 = t108 + structure[2] * t112;
+            const real_t t114 = t113 - wrench[0];
+            const real_t t115 = t109 + structure[6] * t112;
+            const real_t t116 = t115 - wrench[1];
+            const real_t t117 = facet_2 < t31 ? t114 * t114 + t116 * t116 : TB_C(1e+30);
+            const bool t118 = TB_C(0.0) < t20;
+            const bool t119 = TB_C(0.0) < t9 - t8;
+            const bool t120 = !t118;
+            const real_t t121 = (t118 && t119) || (t120 && !t119) ? TB_C(10.0) : TB_C(3.0);
+            const bool t122 = TB_C(0.0) <= t24;
+            const real_t t123 = (t118 && t122) || (t120 && !t122) ? TB_C(10.0) : TB_C(3.0);
+            const bool t124 = TB_C(0.0) <= t28;
+            const real_t t125 = (t118 && t124) || (t120 && !t124) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t126 = structure[0] * t121 + structure[2] * t123 + structure[3] * t125;
+            const real_t t127 = structure[4] * t121 + structure[6] * t123 + structure[7] * t125;
+            const real_t t128 = structure[1] * (wrench[0] - t126) + structure[5] * (wrench[1] -
+                t127);
+            const real_t t129 = structure[1] * structure[1] + structure[5] * structure[5];
+            const real_t t130 = tb_min(tb_max(t128 * (TB_C(1.0) / t129), TB_C(3.0)),
                 TB_C(10.0));
-            const real_t t127 = t122 + structure[1] * t126;
-            const real_t t128 = t127 - wrench[0];
-            const real_t t129 = t123 + structure[5] * t126;
-            const real_t t130 = t129 - wrench[1];
-            const real_t t131 = facet_1 < t21 ? t128 * t128 + t130 * t130 : TB_C(1e+30);
-            const bool t132 = TB_C(0.0) < t6;
-            const bool t133 = TB_C(0.0) <= t10;
-            const bool t134 = !t132;
-            const real_t t135 = (t132 && t133) || (t134 && !t133) ? TB_C(10.0) : TB_C(3.0);
-            const bool t136 = TB_C(0.0) <= t14;
-            const real_t t137 = (t132 && t136) || (t134 && !t136) ? TB_C(10.0) : TB_C(3.0);
-            const bool t138 = TB_C(0.0) <= t18;
-            const real_t t139 = (t132 && t138) || (t134 && !t138) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t140 = structure[1] * t135 + structure[2] * t137 + structure[3] * t139;
-            const real_t t141 = structure[5] * t135 + structure[6] * t137 + structure[7] * t139;
-            const real_t t142 = structure[0] * (wrench[0] - t140) + structure[4] * (wrench[1] -
-                t141);
-            const real_t t143 = structure[0] * structure[0] + structure[4] * structure[4];
-            const real_t t144 = tb_min(tb_max(t142 * (TB_C(1.0) / t143), TB_C(3.0)),
+            const real_t t131 = t126 + structure[1] * t130;
+            const real_t t132 = t131 - wrench[0];
+            const real_t t133 = t127 + structure[5] * t130;
+            const real_t t134 = t133 - wrench[1];
+            const real_t t135 = facet_1 < t21 ? t132 * t132 + t134 * t134 : TB_C(1e+30);
+            const bool t136 = TB_C(0.0) < t6;
+            const bool t137 = TB_C(0.0) <= t10;
+            const bool t138 = !t136;
+            const real_t t139 = (t136 && t137) || (t138 && !t137) ? TB_C(10.0) : TB_C(3.0);
+            const bool t140 = TB_C(0.0) <= t14;
+            const real_t t141 = (t136 && t140) || (t138 && !t140) ? TB_C(10.0) : TB_C(3.0);
+            const bool t142 = TB_C(0.0) <= t18;
+            const real_t t143 = (t136 && t142) || (t138 && !t142) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t144 = structure[1] * t139 + structure[2] * t141 + structure[3] * t143;
+            const real_t t145 = structure[5] * t139 + structure[6] * t141 + structure[7] * t143;
+            const real_t t146 = structure[0] * (wrench[0] - t144) + structure[4] * (wrench[1] -
+                t145);
+            const real_t t147 = structure[0] * structure[0] + structure[4] * structure[4];
+            const real_t t148 = tb_min(tb_max(t146 * (TB_C(1.0) / t147), TB_C(3.0)),
                 TB_C(10.0));
-            const real_t t145 = t140 + structure[0] * t144;
-            const real_t t146 = t145 - wrench[0];
-            const real_t t147 = t141 + structure[4] * t144;
-            const real_t t148 = t147 - wrench[1];
-            const real_t t149 = facet_0 < t7 ? t146 * t146 + t148 * t148 : TB_C(1e+30);
-            const bool t150 = t149 < TB_C(1e+30);
-            const real_t t151 = t150 ? t149 : TB_C(1e+30);
-            const bool t152 = t131 < t151;
-            const real_t t153 = t152 ? t131 : t151;
-            const bool t154 = t113 < t153;
-            real_t t155, t156, t157;
-            if (t154) {
-                t155 = t113;
-                t156 = t109;
-                t157 = t111;
+            const real_t t149 = t144 + structure[0] * t148;
+            const real_t t150 = t149 - wrench[0];
+            const real_t t151 = t145 + structure[4] * t148;
+            const real_t t152 = t151 - wrench[1];
+            const real_t t153 = facet_0 < t7 ? t150 * t150 + t152 * t152 : TB_C(1e+30);
+            const bool t154 = t153 < TB_C(1e+30);
+            const real_t t155 = t154 ? t153 : TB_C(1e+30);
+            const bool t156 = t135 < t155;
+            const real_t t157 = t156 ? t135 : t155;
+            const bool t158 = t117 < t157;
+            real_t t159, t160, t161;
+            if (t158) {
+                t159 = t117;
+                t160 = t113;
+                t161 = t115;
             } else {
-                t155 = t153;
-                t156 = t152 ? t127 : (t150 ? t145 : TB_C(0.0));
-                t157 = t152 ? t129 : (t150 ? t147 : TB_C(0.0));
+                t159 = t157;
+                t160 = t156 ? t131 : (t154 ? t149 : TB_C(0.0));
+                t161 = t156 ? t133 : (t154 ? t151 : TB_C(0.0));
             }
-            const bool t158 = t95 < t155;
-            t76 = t158 ? t91 : t156;
-            t77 = t158 ? t93 : t157;
+            const bool t162 = t99 < t159;
+            t80 = t162 ? t95 : t160;
+            t81 = t162 ? t97 : t161;
         } else {
-            t76 = wrench[0] * t74;
-            t77 = wrench[1] * t74;
+            t80 = wrench[0] * t78;
+            t81 = wrench[1] * t78;
         }
-        served_0 = t76;
-        served_1 = t77;
+        served_0 = t80;
+        served_1 = t81;
     }
     served[0] = served_0;
     served[1] = served_1;
@@ -1059,208 +1138,242 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t54 = t48 * t53;
     const real_t t55 = TB_C(1000000000000.0) - start_1;
     const real_t t56 = t27 + t55;
-    const bool t57 = TB_C(0.0) < tb_max(t31 - t54, t54 - t56);
-    const real_t t58 = t43 + structure[2] * t45;
-    const real_t t59 = t33 - structure[2] * t37;
-    const real_t t60 = t47 * t58 - t39 * t59;
-    const real_t t61 = t39 * t58 + t47 * t59;
-    const real_t t62 = TB_EPSILON * TB_C(16.0);
-    const real_t t63 = t50 - t27;
-    const real_t t64 = t27 + t51;
-    const real_t t65 = t46 * t58 - t38 * t59;
-    const real_t t66 = t35 + structure[3] * t37;
-    const real_t t67 = t41 - structure[3] * t45;
-    const real_t t68 = t39 * t66 - t47 * t67;
-    const real_t t69 = t39 * t67 + t47 * t66;
-    const real_t t70 = t38 * t66 - t46 * t67;
-    real_t t71, t72, t73, t74, t75;
-    if (t57) {
-        const real_t t76 = tb_min(tb_max(t54, t30), t55);
-        const real_t t77 = t76 * (TB_C(1.0) / (t39 * t39 + t47 * t47));
-        const real_t t78 = t39 * t46 - t38 * t47;
-        const bool t79 = TB_ABS(t78) <= t62;
-        const real_t t80 = t48 * t77;
-        const real_t t81 = TB_C(1.0) / t78;
-        real_t t82, t83;
-        if (t79) {
-            t82 = -TB_C(1000000000000.0);
-            t83 = TB_C(1000000000000.0);
+    const real_t t57 = tb_max(t31 - t54, t54 - t56);
+    const bool t58 = TB_C(0.0) < t57;
+    const real_t t59 = t43 + structure[2] * t45;
+    const real_t t60 = t33 - structure[2] * t37;
+    const real_t t61 = t47 * t59 - t39 * t60;
+    const real_t t62 = t39 * t59 + t47 * t60;
+    const real_t t63 = TB_EPSILON * TB_C(16.0);
+    const real_t t64 = t50 - t27;
+    const real_t t65 = t27 + t51;
+    const real_t t66 = t46 * t59 - t38 * t60;
+    const real_t t67 = t35 + structure[3] * t37;
+    const real_t t68 = t41 - structure[3] * t45;
+    const real_t t69 = t39 * t67 - t47 * t68;
+    const real_t t70 = t39 * t68 + t47 * t67;
+    const real_t t71 = t38 * t67 - t46 * t68;
+    const real_t t72 = t27 * TB_C(2.0);
+    const real_t t73 = t27 * TB_C(1024.0);
+    real_t t74, t75, t76, t77, t78;
+    if (t58) {
+        const real_t t79 = tb_min(tb_max(t54, t30), t55);
+        const real_t t80 = t79 * (TB_C(1.0) / (t39 * t39 + t47 * t47));
+        const real_t t81 = t39 * t46 - t38 * t47;
+        const bool t82 = TB_ABS(t81) <= t63;
+        const real_t t83 = t48 * t80;
+        const real_t t84 = TB_C(1.0) / t81;
+        real_t t85, t86, t87;
+        if (t82) {
+            t85 = -TB_C(1000000000000.0);
+            t86 = TB_C(1000000000000.0);
+            t87 = TB_C(0.0);
         } else {
-            const real_t t84 = (t63 - t80) * t81;
-            const real_t t85 = t81 * (t64 - t80);
-            t82 = tb_min(t84, t85);
-            t83 = tb_max(t84, t85);
+            const real_t t88 = (t64 - t83) * t84;
+            const real_t t89 = t84 * (t65 - t83);
+            t85 = tb_min(t88, t89);
+            t86 = tb_max(t88, t89);
+            t87 = t72 * TB_ABS(t84);
         }
-        const real_t t86 = tb_min(tb_max(TB_C(0.0), t82), t83);
-        const real_t t87 = TB_C(0.0) < TB_ABS(t86) ? t86 * (t48 * t81) : TB_C(0.0);
-        const real_t t88 = tb_max(TB_C(0.0), t54 < t76 ? t87 - t77 : t77 - t87);
-        t71 = t60 * t77 + t61 * t86;
-        t72 = t77 * t68 - t86 * t69;
-        t73 = t88;
-        t74 = t80 + t78 * t86;
-        t75 = t76;
+        const real_t t90 = tb_min(tb_max(TB_C(0.0), t85), t86);
+        const real_t t91 = TB_C(0.0) < TB_ABS(t90) ? t90 * (t48 * t84) : TB_C(0.0);
+        const real_t t92 = t54 < t79 ? t91 - t80 : t80 - t91;
+        const real_t t93 = t85 + t87 < t86 - t87 && t73 < t57 ? t92 : TB_C(0.0);
+        t74 = t61 * t80 + t62 * t90;
+        t75 = t80 * t69 - t90 * t70;
+        t76 = TB_C(0.0) < t92 ? t93 : TB_C(0.0);
+        t77 = t83 + t81 * t90;
+        t78 = t79;
     } else {
-        t71 = t53 * t65;
-        t72 = t53 * t70;
-        t73 = TB_C(0.0);
-        t74 = t52;
-        t75 = t54;
+        t74 = t53 * t66;
+        t75 = t53 * t71;
+        t76 = TB_C(0.0);
+        t77 = t52;
+        t78 = t54;
     }
-    const real_t t89 = TB_C(1000000000000.0) - start_2;
-    const real_t t90 = t27 + t89;
-    const bool t91 = TB_C(0.0) < tb_max(t29 - t71, t71 - t90);
-    const real_t t92 = t59 * t67;
-    const real_t t93 = t58 * t66;
-    const real_t t94 = t59 * t66 + t58 * t67;
-    real_t t95, t96, t97, t98, t99;
-    if (t91) {
-        const bool t100 = TB_ABS(t61) <= t62;
-        const real_t t101 = tb_min(tb_max(t71, t28), t89);
-        const real_t t102 = t101 * (TB_C(1.0) / (t59 * t59 + t58 * t58));
-        const real_t t103 = t60 * t102;
-        const real_t t104 = TB_C(1.0) / t61;
-        real_t t105, t106;
-        if (t100) {
-            t105 = -TB_C(1000000000000.0);
-            t106 = TB_C(1000000000000.0);
+    const real_t t94 = TB_C(1000000000000.0) - start_2;
+    const real_t t95 = t27 + t94;
+    const real_t t96 = tb_max(t29 - t74, t74 - t95);
+    const bool t97 = TB_C(0.0) < t96;
+    const real_t t98 = t60 * t68;
+    const real_t t99 = t59 * t67;
+    const real_t t100 = t60 * t67 + t59 * t68;
+    real_t t101, t102, t103, t104, t105;
+    if (t97) {
+        const bool t106 = TB_ABS(t62) <= t63;
+        const real_t t107 = tb_min(tb_max(t74, t28), t94);
+        const real_t t108 = t107 * (TB_C(1.0) / (t60 * t60 + t59 * t59));
+        const real_t t109 = t61 * t108;
+        const real_t t110 = TB_C(1.0) / t62;
+        real_t t111, t112, t113;
+        if (t106) {
+            t111 = -TB_C(1000000000000.0);
+            t112 = TB_C(1000000000000.0);
+            t113 = TB_C(0.0);
         } else {
-            const real_t t107 = -((t31 - t103) * t104);
-            const real_t t108 = -(t104 * (t56 - t103));
-            t105 = tb_min(t107, t108);
-            t106 = tb_max(t107, t108);
+            const real_t t114 = -((t31 - t109) * t110);
+            const real_t t115 = -(t110 * (t56 - t109));
+            t111 = tb_min(t114, t115);
+            t112 = tb_max(t114, t115);
+            t113 = t72 * TB_ABS(TB_C(1.0) / -t62);
         }
-        const real_t t109 = t46 * t59 + t38 * t58;
-        const bool t110 = TB_ABS(t109) <= t62;
-        const real_t t111 = t65 * t102;
-        const real_t t112 = TB_C(1.0) / t109;
-        real_t t113, t114;
-        if (t110) {
-            t113 = -TB_C(1000000000000.0);
-            t114 = TB_C(1000000000000.0);
+        const real_t t116 = t46 * t60 + t38 * t59;
+        const bool t117 = TB_ABS(t116) <= t63;
+        const real_t t118 = t66 * t108;
+        const real_t t119 = TB_C(1.0) / t116;
+        real_t t120, t121, t122;
+        if (t117) {
+            t120 = -TB_C(1000000000000.0);
+            t121 = TB_C(1000000000000.0);
+            t122 = TB_C(0.0);
         } else {
-            const real_t t115 = -((t63 - t111) * t112);
-            const real_t t116 = -(t112 * (t64 - t111));
-            t113 = tb_min(t115, t116);
-            t114 = tb_max(t115, t116);
+            const real_t t123 = -((t64 - t118) * t119);
+            const real_t t124 = -(t119 * (t65 - t118));
+            t120 = tb_min(t123, t124);
+            t121 = tb_max(t123, t124);
+            t122 = t72 * TB_ABS(TB_C(1.0) / -t116);
         }
-        const real_t t117 = tb_min(tb_max(TB_C(0.0), tb_max(t105, t113)), tb_min(t106, t114));
-        real_t t118;
-        if (TB_C(0.0) < TB_ABS(t117)) {
-            const real_t t119 = -(t60 * t104);
-            const real_t t120 = -(t65 * t112);
-            const real_t t121 = TB_C(0.0) < t117 ? (t113 < t105 ? t119 : t120) : (t106 < t114 ?
-                t119 : t120);
-            t118 = t117 * t121;
+        const real_t t125 = tb_min(tb_max(TB_C(0.0), tb_max(t111, t120)), tb_min(t112, t121));
+        real_t t126;
+        if (TB_C(0.0) < TB_ABS(t125)) {
+            const real_t t127 = -(t61 * t110);
+            const real_t t128 = -(t66 * t119);
+            const real_t t129 = TB_C(0.0) < t125 ? (t120 < t111 ? t127 : t128) : (t112 < t121 ?
+                t127 : t128);
+            t126 = t125 * t129;
         } else {
-            t118 = TB_C(0.0);
+            t126 = TB_C(0.0);
         }
-        const real_t t122 = tb_max(TB_C(0.0), t71 < t101 ? t118 - t102 : t102 - t118);
-        t95 = (t92 - t93) * t117 - t102 * t94;
-        t96 = t122;
-        t97 = t111 - t109 * t117;
-        t98 = t103 - t61 * t117;
-        t99 = t101;
+        const real_t t130 = t74 < t107 ? t126 - t108 : t108 - t126;
+        real_t t131;
+        if (TB_C(0.0) < t130) {
+            const bool t132 = tb_max(t120 + t122, t111 + t113) < tb_min(t121 - t122, t112 -
+                t113);
+            t131 = t132 && t73 < t96 ? t130 : TB_C(0.0);
+        } else {
+            t131 = TB_C(0.0);
+        }
+        t101 = (t98 - t99) * t125 - t108 * t100;
+        t102 = t131;
+        t103 = t118 - t116 * t125;
+        t104 = t109 - t62 * t125;
+        t105 = t107;
     } else {
-        t95 = t72;
-        t96 = t73;
-        t97 = t74;
-        t98 = t75;
-        t99 = t71;
+        t101 = t75;
+        t102 = t76;
+        t103 = t77;
+        t104 = t78;
+        t105 = t74;
     }
-    const real_t t123 = TB_C(1000000000000.0) - start_3;
-    const bool t124 = TB_C(0.0) < tb_max(t23 - t27 - t95, t95 - (t27 + t123));
-    real_t t125, t126, t127, t128, t129;
-    if (t124) {
-        const real_t t130 = tb_min(tb_max(t95, t23), t123);
-        const real_t t131 = t130 * (TB_C(1.0) / (t66 * t66 + t67 * t67));
-        const real_t t132 = t93 - t92;
-        const bool t133 = TB_ABS(t132) <= t62;
-        const real_t t134 = t94 * t131;
-        const real_t t135 = TB_C(1.0) / t132;
-        real_t t136, t137;
-        if (t133) {
-            t136 = -TB_C(1000000000000.0);
-            t137 = TB_C(1000000000000.0);
+    const real_t t133 = TB_C(1000000000000.0) - start_3;
+    const real_t t134 = tb_max(t23 - t27 - t101, t101 - (t27 + t133));
+    const bool t135 = TB_C(0.0) < t134;
+    real_t t136, t137, t138, t139, t140;
+    if (t135) {
+        const real_t t141 = tb_min(tb_max(t101, t23), t133);
+        const real_t t142 = t141 * (TB_C(1.0) / (t67 * t67 + t68 * t68));
+        const real_t t143 = t99 - t98;
+        const bool t144 = TB_ABS(t143) <= t63;
+        const real_t t145 = t100 * t142;
+        const real_t t146 = TB_C(1.0) / t143;
+        real_t t147, t148, t149;
+        if (t144) {
+            t147 = -TB_C(1000000000000.0);
+            t148 = TB_C(1000000000000.0);
+            t149 = TB_C(0.0);
         } else {
-            const real_t t138 = (t29 + t134) * t135;
-            const real_t t139 = t135 * (t90 + t134);
-            t136 = tb_min(t138, t139);
-            t137 = tb_max(t138, t139);
+            const real_t t150 = (t29 + t145) * t146;
+            const real_t t151 = t146 * (t95 + t145);
+            t147 = tb_min(t150, t151);
+            t148 = tb_max(t150, t151);
+            t149 = t72 * TB_ABS(t146);
         }
-        const bool t140 = TB_ABS(t69) <= t62;
-        const real_t t141 = t68 * t131;
-        const real_t t142 = TB_C(1.0) / t69;
-        real_t t143, t144;
-        if (t140) {
-            t143 = -TB_C(1000000000000.0);
-            t144 = TB_C(1000000000000.0);
+        const bool t152 = TB_ABS(t70) <= t63;
+        const real_t t153 = t69 * t142;
+        const real_t t154 = TB_C(1.0) / t70;
+        real_t t155, t156, t157;
+        if (t152) {
+            t155 = -TB_C(1000000000000.0);
+            t156 = TB_C(1000000000000.0);
+            t157 = TB_C(0.0);
         } else {
-            const real_t t145 = (t31 - t141) * t142;
-            const real_t t146 = t142 * (t56 - t141);
-            t143 = tb_min(t145, t146);
-            t144 = tb_max(t145, t146);
+            const real_t t158 = (t31 - t153) * t154;
+            const real_t t159 = t154 * (t56 - t153);
+            t155 = tb_min(t158, t159);
+            t156 = tb_max(t158, t159);
+            t157 = t72 * TB_ABS(t154);
         }
-        const real_t t147 = t46 * t66 + t38 * t67;
-        const bool t148 = TB_ABS(t147) <= t62;
-        const real_t t149 = t70 * t131;
-        const real_t t150 = TB_C(1.0) / t147;
-        real_t t151, t152;
-        if (t148) {
-            t151 = -TB_C(1000000000000.0);
-            t152 = TB_C(1000000000000.0);
+        const real_t t160 = t46 * t67 + t38 * t68;
+        const bool t161 = TB_ABS(t160) <= t63;
+        const real_t t162 = t71 * t142;
+        const real_t t163 = TB_C(1.0) / t160;
+        real_t t164, t165, t166;
+        if (t161) {
+            t164 = -TB_C(1000000000000.0);
+            t165 = TB_C(1000000000000.0);
+            t166 = TB_C(0.0);
         } else {
-            const real_t t153 = (t63 - t149) * t150;
-            const real_t t154 = t150 * (t64 - t149);
-            t151 = tb_min(t153, t154);
-            t152 = tb_max(t153, t154);
+            const real_t t167 = (t64 - t162) * t163;
+            const real_t t168 = t163 * (t65 - t162);
+            t164 = tb_min(t167, t168);
+            t165 = tb_max(t167, t168);
+            t166 = t72 * TB_ABS(t163);
         }
-        const real_t t155 = tb_max(t143, t151);
-        const real_t t156 = tb_min(t144, t152);
-        const real_t t157 = tb_min(tb_max(TB_C(0.0), tb_max(t136, t155)), tb_min(t137, t156));
-        real_t t158;
-        if (TB_C(0.0) < TB_ABS(t157)) {
-            const real_t t159 = -(t94 * t135);
-            const real_t t160 = t68 * t142;
-            const real_t t161 = t70 * t150;
-            real_t t162;
-            if (TB_C(0.0) < t157) {
-                t162 = t155 < t136 ? t159 : (t151 < t143 ? t160 : t161);
+        const real_t t169 = tb_max(t155, t164);
+        const real_t t170 = tb_min(t156, t165);
+        const real_t t171 = tb_min(tb_max(TB_C(0.0), tb_max(t147, t169)), tb_min(t148, t170));
+        real_t t172;
+        if (TB_C(0.0) < TB_ABS(t171)) {
+            const real_t t173 = -(t100 * t146);
+            const real_t t174 = t69 * t154;
+            const real_t t175 = t71 * t163;
+            real_t t176;
+            if (TB_C(0.0) < t171) {
+                t176 = t169 < t147 ? t173 : (t164 < t155 ? t174 : t175);
             } else {
-                t162 = t137 < t156 ? t159 : (t144 < t152 ? t160 : t161);
+                t176 = t148 < t170 ? t173 : (t156 < t165 ? t174 : t175);
             }
-            t158 = t157 * t162;
+            t172 = t171 * t176;
         } else {
-            t158 = TB_C(0.0);
+            t172 = TB_C(0.0);
         }
-        const real_t t163 = tb_max(TB_C(0.0), t95 < t130 ? t158 - t131 : t131 - t158);
-        t125 = t163;
-        t126 = t149 + t147 * t157;
-        t127 = t141 + t69 * t157;
-        t128 = t132 * t157 - t134;
-        t129 = t130;
+        const real_t t177 = t101 < t141 ? t172 - t142 : t142 - t172;
+        real_t t178;
+        if (TB_C(0.0) < t177) {
+            const real_t t179 = tb_max(tb_max(t164 + t166, t155 + t157), t147 + t149);
+            const real_t t180 = tb_min(tb_min(t165 - t166, t156 - t157), t148 - t149);
+            t178 = t179 < t180 && t73 < t134 ? t177 : TB_C(0.0);
+        } else {
+            t178 = TB_C(0.0);
+        }
+        t136 = t178;
+        t137 = t162 + t160 * t171;
+        t138 = t153 + t70 * t171;
+        t139 = t143 * t171 - t145;
+        t140 = t141;
     } else {
-        t125 = t96;
-        t126 = t97;
-        t127 = t98;
-        t128 = t99;
-        t129 = t95;
+        t136 = t102;
+        t137 = t103;
+        t138 = t104;
+        t139 = t105;
+        t140 = t101;
     }
-    const real_t t164 = tb_min(tb_max(t126 - t49, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t165 = tb_min(tb_max(start_1 + t127, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t166 = tb_min(tb_max(start_2 + t128, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t167 = structure[0] * t164 + structure[1] * t165 + structure[2] * t166;
-    const real_t t168 = tb_min(tb_max(start_3 + t129, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t169 = tb_max(t125, TB_ABS(t167 + structure[3] * t168 - wrench[0]));
-    const real_t t170 = structure[4] * t164 + structure[5] * t165 + structure[6] * t166;
-    const real_t t171 = tb_max(t169, TB_ABS(t170 + structure[7] * t168 - wrench[1]));
-    const bool t172 = t171 <= t26 * (t24 * (TB_EPSILON * TB_C(64.0)));
+    const real_t t181 = tb_min(tb_max(t137 - t49, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t182 = tb_min(tb_max(start_1 + t138, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t183 = tb_min(tb_max(start_2 + t139, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t184 = structure[0] * t181 + structure[1] * t182 + structure[2] * t183;
+    const real_t t185 = tb_min(tb_max(start_3 + t140, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t186 = tb_max(t136, TB_ABS(t184 + structure[3] * t185 - wrench[0]));
+    const real_t t187 = structure[4] * t181 + structure[5] * t182 + structure[6] * t183;
+    const real_t t188 = tb_max(t186, TB_ABS(t187 + structure[7] * t185 - wrench[1]));
+    const bool t189 = t188 <= t26 * (t24 * (TB_EPSILON * TB_C(128.0)));
     real_t tension_0, tension_1, tension_2, tension_3, kkt_residual_0;
-    if (t172) {
-        tension_0 = tb_min(t164, TB_C(10.0));
-        tension_1 = tb_min(t165, TB_C(10.0));
-        tension_2 = tb_min(t166, TB_C(10.0));
-        tension_3 = tb_min(t168, TB_C(10.0));
-        kkt_residual_0 = t171;
+    if (t189) {
+        tension_0 = tb_min(t181, TB_C(10.0));
+        tension_1 = tb_min(t182, TB_C(10.0));
+        tension_2 = tb_min(t183, TB_C(10.0));
+        tension_3 = tb_min(t185, TB_C(10.0));
+        kkt_residual_0 = t188;
     } else {
         tension_0 = TB_C(3.0);
         tension_1 = TB_C(3.0);
@@ -1268,16 +1381,16 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
         tension_3 = TB_C(3.0);
         kkt_residual_0 = TB_C(0.0);
     }
-    const bool t173 = !t172;
-    const real_t t174 = structure[0] * tension_0 + structure[1] * tension_1;
+    const bool t190 = !t189;
+    const real_t t191 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t174 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t175 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t175 + structure[6] * tension_2 + structure[7] * tension_3;
-    const bool t176 = !(TB_EPSILON * TB_C(4096.0) < t25);
-    const bool t177 = TB_C(10.0) < t164 || TB_C(10.0) < t165 || TB_C(10.0) < t166;
-    const bool t178 = t177 || TB_C(10.0) < t168;
-    if (t176) {
+    const real_t delivered_0 = t191 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t192 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t192 + structure[6] * tension_2 + structure[7] * tension_3;
+    const bool t193 = !(TB_EPSILON * TB_C(4096.0) < t25);
+    const bool t194 = TB_C(10.0) < t181 || TB_C(10.0) < t182 || TB_C(10.0) < t183;
+    const bool t195 = t194 || TB_C(10.0) < t185;
+    if (t193) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -1294,7 +1407,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     delivered[0] = delivered_0;
     delivered[1] = delivered_1;
     kkt_residual[0] = kkt_residual_0;
-    return (t173 || t178) ? TB_INFEASIBLE : TB_OK;
+    return (t190 || t195) ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5b63eabb3ab694c0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -19,7 +19,7 @@
  *  Error of tension: double at most 7.6e-13 N; float at most 1.7e-04 N.
  *  Error of delivered: double at most 1.8e-14 N; float at most 1.1e-05 N.
  *  Error of kkt_residual: double at most 1.8e-14 N; float at most 1.1e-05 N.
- *  Cost, all branches: 116 add, 118 mul, 12 div, 1 sqrt, 25 compare, 89 select. */
+ *  Cost, all branches: 132 add, 126 mul, 16 div, 1 sqrt, 34 compare, 104 select. */
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -34,7 +34,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
  *  Error of tension: double at most 4.3e-13 N; float at most 6.9e-04 N.
  *  Error of delivered: double at most 4.3e-14 N; float at most 2.1e-05 N.
  *  Error of kkt_residual: double at most 4.3e-14 N; float at most 2.1e-05 N.
- *  Cost, all branches: 122 add, 148 mul, 15 div, 2 sqrt, 25 compare, 90 select. */
+ *  Cost, all branches: 136 add, 156 mul, 17 div, 2 sqrt, 34 compare, 105 select. */
 tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -44,8 +44,8 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
  *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of served: double at most 2.0e-13 N; float at most 2.6e-04 N.
- *  Cost, all branches: 100 add, 112 mul, 8 div, 34 compare, 62 select. */
+ *  Error of served: double at most 1.9e-13 N; float at most 2.6e-04 N.
+ *  Cost, all branches: 100 add, 112 mul, 8 div, 38 compare, 66 select. */
 tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[2], real_t
     served[2]);
 
@@ -69,10 +69,10 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
- *  Error of tension: double at most 1.4e-12 N; float at most 8.4e-05 N.
- *  Error of delivered: double at most 1.3e-12 N; float at most 6.6e-05 N.
- *  Error of kkt_residual: double at most 2.6e-12 N; float at most 1.8e-03 N.
- *  Cost, all branches: 130 add, 158 mul, 15 div, 2 sqrt, 29 compare, 99 select. */
+ *  Error of tension: double at most 2.8e-13 N; float at most 1.4e-04 N.
+ *  Error of delivered: double at most 2.2e-13 N; float at most 1.1e-04 N.
+ *  Error of kkt_residual: double at most 5.8e-12 N; float at most 2.1e-03 N.
+ *  Cost, all branches: 144 add, 166 mul, 17 div, 2 sqrt, 38 compare, 114 select. */
 tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -86,10 +86,10 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 2.6e-09 N; float at most 1.9e+00 N.
- *  Error of delivered: double at most 2.3e-13 N; float at most 1.3e-04 N.
- *  Error of kkt_residual: double at most 2.4e-13 N; float at most 1.1e-04 N.
- *  Cost, all branches: 454 add, 496 mul, 47 div, 4 sqrt, 109 compare, 330 select. */
+ *  Error of tension: double at most 9.7e-10 N; float at most 3.3e+00 N.
+ *  Error of delivered: double at most 2.7e-13 N; float at most 1.3e-03 N.
+ *  Error of kkt_residual: double at most 2.7e-13 N; float at most 3.9e-05 N.
+ *  Cost, all branches: 500 add, 520 mul, 57 div, 4 sqrt, 140 compare, 379 select. */
 tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -103,10 +103,10 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 7.2e-10 N; float at most 1.7e-01 N.
- *  Error of delivered: double at most 2.7e-13 N; float at most 3.0e-03 N.
- *  Error of kkt_residual: double at most 2.0e-13 N; float at most 9.5e-05 N.
- *  Cost, all branches: 438 add, 470 mul, 43 div, 4 sqrt, 103 compare, 305 select. */
+ *  Error of tension: double at most 5.3e-08 N; float at most 4.1e-01 N.
+ *  Error of delivered: double at most 1.4e-13 N; float at most 5.3e-04 N.
+ *  Error of kkt_residual: double at most 6.9e-14 N; float at most 5.3e-04 N.
+ *  Cost, all branches: 484 add, 494 mul, 53 div, 4 sqrt, 130 compare, 350 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t wrench[2],
     real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 

@@ -11,7 +11,7 @@ import casadi as ca
 
 from model.symbolic.function import Label
 from model.symbolic.linear import cross, dot, factorise, transpose
-from model.symbolic.polytope import Line, Plane
+from model.symbolic.polytope import Plane, Space, space_of
 from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt
 
 
@@ -20,31 +20,16 @@ class NullSpace:
     """T0 (the least-norm solution of S T = W), the null space of S, its distance from singular."""
 
     start: Vector
-    space: Line | Plane
+    space: Space
     pivot: Scalar
     labels: tuple[Label, ...] = ()
-
-
-class UnsupportedRedundancyError(Exception):
-    """No solver is known for so many cables."""
 
 
 def factored(matrix: Matrix, wrench: Vector) -> NullSpace:
     """By Householder QR of S': any d and n; the pivot is the least on the diagonal of R."""
     factors = factorise(matrix)
     rows = factors.null_space()
-    return NullSpace(factors.least_norm(wrench), parametrised(rows), factors.smallest_pivot())
-
-
-def parametrised(rows: Matrix) -> Line | Plane:
-    """The null space from the rows n_i of an orthonormal basis (n x r)."""
-    dimension = len(rows[0])
-    if dimension == 1:
-        return Line([row[0] for row in rows])
-    if dimension == 2:
-        shares = [[dot(a, b) for b in rows] for a in rows]
-        return Plane(shares, [[cross(a, b) for b in rows] for a in rows], ca.SX(1))
-    raise UnsupportedRedundancyError(dimension)
+    return NullSpace(factors.least_norm(wrench), space_of(rows), factors.smallest_pivot())
 
 
 #: Cables (i, k) and the two others (l, m), ordered so that n_i x n_k = s_l x s_m / sqrt(det S S').

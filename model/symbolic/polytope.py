@@ -11,12 +11,18 @@ from dataclasses import dataclass
 import casadi as ca
 
 from model.symbolic.function import EPSILON
+from model.symbolic.linear import cross, dot, factorise, multiply, subtract, transpose
 from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, smallest, where
 
 #: Stands for an interval end that is not there; far beyond any tension, safe in single precision.
 UNBOUNDED = 1e12
 #: Lines whose normals differ by no more than this many EPSILON count as parallel.
 PARALLEL = 16.0
+
+
+#: A slab that is missed by less than so many times the slack is missed by rounding, in a corner of
+#: more slabs than it takes: the multipliers there are not unique, and one of them says nothing.
+BY_ROUNDING = 1024.0
 
 
 @dataclass(frozen=True)
@@ -38,6 +44,15 @@ class Slabs:
             for low, high in zip(self.low, self.high, strict=True)
         ]
 
+    def seen_from(self, shift: Vector) -> "Slabs":
+        """The same slabs for what is still to be added to a shift."""
+        return Slabs(subtract(self.low, shift), subtract(self.high, shift), self.slack)
+
+    def excess(self, number: int, level: Scalar) -> Scalar:
+        """By how much more than the slack t_number = level misses its slab."""
+        low, high = self.relaxed()[number]
+        return ca.fmax(low - level, level - high)
+
 
 @dataclass(frozen=True)
 class Nearest:
@@ -49,20 +64,27 @@ class Nearest:
 
 @dataclass(frozen=True)
 class Interval:
-    """All x with low <= x <= high, and the reciprocal of the slope that it came from."""
+    """All x with low <= x <= high, and the reciprocal of the slope that it came from.
+
+    `margin` is what the slack of the slab adds to either end, twice.
+    """
 
     low: Scalar
     high: Scalar
     inverse: Scalar
+    margin: Scalar
 
 
-def interval(slope: Scalar, below: Scalar, above: Scalar) -> Interval:
-    """All x with below <= slope x <= above."""
+def interval(slope: Scalar, below: Scalar, above: Scalar, slack: Scalar) -> Interval:
+    """All x with below <= slope x <= above, for bounds that are relaxed by `slack`."""
     flat = ca.fabs(slope) <= PARALLEL * EPSILON
     inverse = 1 / slope
     ends = below * inverse, above * inverse
     return Interval(
-        where(flat, -UNBOUNDED, ca.fmin(*ends)), where(flat, UNBOUNDED, ca.fmax(*ends)), inverse
+        where(flat, -UNBOUNDED, ca.fmin(*ends)),
+        where(flat, UNBOUNDED, ca.fmax(*ends)),
+        inverse,
+        where(flat, 0, 2 * slack * ca.fabs(inverse)),
     )
 
 
@@ -72,11 +94,13 @@ class Line:
 
     direction: Vector
 
-    def nearest(self, slabs: Slabs) -> Nearest:
+    def nearest(self, slabs: Slabs, count: int) -> Nearest:
         """The least shift; its multiplier has the right sign by construction."""
+        if count == 0:
+            return at_rest(len(self.direction))
         parts = [
-            interval(slope, *bounds)
-            for slope, bounds in zip(self.direction, slabs.relaxed(), strict=True)
+            interval(slope, *bounds, slabs.slack)
+            for slope, bounds in zip(self.direction[:count], slabs.relaxed()[:count], strict=True)
         ]
         low, high = largest([part.low for part in parts]), smallest([part.high for part in parts])
         position = ca.fmin(ca.fmax(0, low), high)
@@ -95,51 +119,111 @@ class Plane:
     slopes: Matrix
     weight: Scalar
 
-    def nearest(self, slabs: Slabs) -> Nearest:
-        """The least shift, by Seidel's incremental scheme: every slab is taken once.
-
-        A slab that the point so far violates must hold the optimum: it moves onto that slab's line,
-        to the least-norm point that the earlier slabs leave.
-        """
-        # Without earlier slabs the foot is the least-norm point, violated or not.
-        shift = self.moved(slabs, 0, ca.SX(0)).shift
-        misfit = ca.SX(0)
-        for number in range(1, len(shift)):
-            low, high = slabs.relaxed()[number]
-            level = shift[number]
-            outside = ca.fmax(low - level, level - high) > 0
-            moved = self.moved(slabs, number, level)
-            shift = [where(outside, a, b) for a, b in zip(moved.shift, shift, strict=True)]
-            misfit = where(outside, moved.misfit, misfit)
-        return Nearest(shift, misfit)
+    def nearest(self, slabs: Slabs, count: int) -> Nearest:
+        """The least shift, by Seidel's incremental scheme: see `incremental`."""
+        return incremental(self, slabs, count, len(self.shares))
 
     def moved(self, slabs: Slabs, number: int, level: Scalar) -> Nearest:
         """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
         side = clamp(level, slabs.low[number], slabs.high[number])
         height = side / self.shares[number][number]
-        position, multiplier = self.slide(slabs, number, height)
+        position, multiplier, free = self.slide(slabs, number, height)
         shift = [
             share * height + slope * position
             for share, slope in zip(self.shares[number], self.slopes[number], strict=True)
         ]
         shift[number] = side
-        return Nearest(shift, ca.fmax(0, where(level < side, -multiplier, multiplier)))
+        wrong = where(level < side, -multiplier, multiplier)
+        counts = ca.logic_and(free, slabs.excess(number, level) > BY_ROUNDING * slabs.slack)
+        return Nearest(shift, where(wrong > 0, where(counts, wrong, 0), 0))
 
-    def slide(self, slabs: Slabs, number: int, height: Scalar) -> tuple[Scalar, Scalar]:
+    def slide(self, slabs: Slabs, number: int, height: Scalar) -> tuple[Scalar, Scalar, Scalar]:
         """How far along its line, from its foot, the earlier slabs push the point of a slab.
 
-        Returns (position along the line, multiplier of the slab).
+        Returns (position along the line, multiplier of the slab, whether there is another point on
+        the line: on a single one multipliers of either sign will do).
         """
         if number == 0:
-            return ca.SX(0), self.weight * height
+            return ca.SX(0), self.weight * height, ca.SX(1)
         parts: list[tuple[Interval, Scalar]] = []
         for other, (low, high) in enumerate(slabs.relaxed()[:number]):
             share, slope = self.shares[number][other], self.slopes[number][other]
-            part = interval(slope, low - share * height, high - share * height)
+            part = interval(slope, low - share * height, high - share * height, slabs.slack)
             parts.append((part, share * part.inverse))
         position, tilt = innermost(parts)
         pushed = ca.fabs(position) > 0
-        return position, self.weight * height - where(pushed, position * tilt, 0)
+        multiplier = self.weight * height - where(pushed, position * tilt, 0)
+        return position, multiplier, has_room([part for part, _ in parts])
+
+
+@dataclass(frozen=True)
+class Polyhedron:
+    """A null space of dimension r > 2, by the rows n_i of an orthonormal basis of it (n x r)."""
+
+    rows: Matrix
+
+    def nearest(self, slabs: Slabs, count: int) -> Nearest:
+        """The least shift, by Seidel's incremental scheme: see `incremental`."""
+        return incremental(self, slabs, count, len(self.rows))
+
+    def moved(self, slabs: Slabs, number: int, level: Scalar) -> Nearest:
+        """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
+        normal = self.rows[number]
+        side = clamp(level, slabs.low[number], slabs.high[number])
+        height = side / dot(normal, normal)
+        foot = [dot(row, normal) * height for row in self.rows]
+        across = factorise([normal]).null_space()
+        rest = space_of([multiply(transpose(across), row) for row in self.rows])
+        inner = rest.nearest(slabs.seen_from(foot), number)
+        shift = [a + b for a, b in zip(foot, inner.shift, strict=True)]
+        shift[number] = side
+        return Nearest(shift, inner.misfit)
+
+
+Space = Line | Plane | Polyhedron
+
+
+def space_of(rows: Matrix) -> Space:
+    """The null space with the rows n_i of an orthonormal basis (n x r)."""
+    dimension = len(rows[0])
+    if dimension == 1:
+        return Line([row[0] for row in rows])
+    if dimension == 2:
+        shares = [[dot(a, b) for b in rows] for a in rows]
+        return Plane(shares, [[cross(a, b) for b in rows] for a in rows], ca.SX(1))
+    return Polyhedron(rows)
+
+
+def incremental(space: Plane | Polyhedron, slabs: Slabs, count: int, size: int) -> Nearest:
+    """The least shift within the first `count` of `size` slabs, each taken once.
+
+    A slab that the point so far violates must hold the optimum: it moves onto that slab's side, to
+    the least-norm point that the earlier slabs leave (Seidel's scheme).
+    """
+    if count == 0:
+        return at_rest(size)
+    # Without earlier slabs the foot is the least-norm point, violated or not.
+    best = Nearest(space.moved(slabs, 0, ca.SX(0)).shift, ca.SX(0))
+    for number in range(1, count):
+        level = best.shift[number]
+        moved = space.moved(slabs, number, level)
+        outside = slabs.excess(number, level) > 0
+        best = Nearest(
+            [where(outside, a, b) for a, b in zip(moved.shift, best.shift, strict=True)],
+            where(outside, moved.misfit, best.misfit),
+        )
+    return best
+
+
+def at_rest(size: int) -> Nearest:
+    """No slab, no shift."""
+    return Nearest([ca.SX(0)] * size, ca.SX(0))
+
+
+def has_room(parts: Sequence[Interval]) -> Scalar:
+    """Whether some intervals have more than one point in common, rounding apart."""
+    low = largest([part.low + part.margin for part in parts])
+    return low < smallest([part.high - part.margin for part in parts])
 
 
 def innermost(parts: Sequence[tuple[Interval, Scalar]]) -> tuple[Scalar, Scalar]:

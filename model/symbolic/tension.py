@@ -40,7 +40,7 @@ from model.symbolic.wrench_set import WrenchSet, wrench_set
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
 SLACK = 8.0
 #: The KKT residual of a solution reaches at most this many EPSILON times the tension scale.
-KKT_TOLERANCE = 64.0
+KKT_TOLERANCE = 128.0
 #: The structure matrix has lost rank when a pivot of its factorisation is below this many EPSILON.
 RANK_TOLERANCE = 4096.0
 
@@ -64,7 +64,7 @@ def least_norm_tension(
         [top - x for x in space.start],
         rounding(SLACK, wrench, space, low, high),
     )
-    best = space.space.nearest(slabs)
+    best = space.space.nearest(slabs, len(space.start))
     tension = [
         clamp(start + shift, low, top) for start, shift in zip(space.start, best.shift, strict=True)
     ]
@@ -78,7 +78,9 @@ def rounding(
 ) -> Scalar:
     """So many EPSILON of the tensions at hand, more where S is nearly singular [N]."""
     scale = high if high is not None else low + total([ca.fabs(x) for x in wrench])
-    return units * EPSILON * scale / space.pivot
+    # Every dimension beyond two nests the solver once more, and rounds once more.
+    nested = 4 ** max(0, len(space.start) - len(wrench) - 2)
+    return units * nested * EPSILON * scale / space.pivot
 
 
 Policy = Callable[[WrenchSet, Vector], Vector]

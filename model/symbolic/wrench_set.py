@@ -63,7 +63,8 @@ class WrenchSet:
             crosses_it = ca.fabs(height) > 0
             inverse = 1 / height
             ends = (centre - half) * inverse, (centre + half) * inverse
-            lows.append(where(crosses_it, ca.fmin(*ends), -FAR))
+            any_fraction = ca.fabs(centre) <= half
+            lows.append(where(crosses_it, ca.fmin(*ends), where(any_fraction, -FAR, FAR)))
             highs.append(where(crosses_it, ca.fmax(*ends), FAR))
         low, high = lows[0], highs[0]
         for other_low, other_high in zip(lows[1:], highs[1:], strict=True):

@@ -15,6 +15,7 @@ RAIL_1 = 'rail = { from = ["0 mm", "0 mm"], to = ["711.8 mm", "0 mm"] }'
 RAIL_2 = 'rail = { from = ["711.8 mm", "0 mm"], to = ["711.8 mm", "461.8 mm"] }'
 RAIL_3 = 'rail = { from = ["0 mm", "461.8 mm"], to = ["711.8 mm", "461.8 mm"] }'
 RAIL_4 = 'rail = { from = ["0 mm", "0 mm"], to = ["0 mm", "461.8 mm"] }'
+CARRIAGE_MASS = 'carriage_mass = "1 kg"'
 RADIUS = 'radius = "5 mm"'
 FRAME = 'from the origin to frame.size = ["711.8 mm", "461.8 mm"]'
 CABLE = '\n[[cable]]\nbase = ["0 mm", "0 mm"]\n'
@@ -337,6 +338,14 @@ BAD_FILES = {
             f"a target inside the frame, {FRAME}",
         ),
     ),
+    "no torque left for the observer": (
+        with_value("cable_motor.torque_limit", '"50 mN*m"'),
+        ("cable_motor.torque_limit", '"50 mN*m"', "more than tension.max times drum.radius"),
+    ),
+    "a carriage without a mass": (
+        changed((CARRIAGE_MASS, "")),
+        ("plant.carriage_mass", "nothing", "because of cable[1].rail"),
+    ),
     "both readings of the observer's cut-off": (
         changed((CORNER, CORNER + '\nminus_3db = "5 Hz"')),
         ("disturbance_observer", "both corner and minus_3db", "either corner or minus_3db"),
@@ -440,7 +449,9 @@ def test_a_file_without_permission_is_refused(
 # what a machine file may well say: edits of the stock file that are accepted
 GOOD_FILES = {
     "no smallest tension": with_value("tension.min", '"0 N"'),
-    "the exact torque that is needed": with_value("cable_motor.torque_limit", '"50 mN*m"'),
+    "the exact torque that is needed": without(
+        "[disturbance_observer]", with_value("cable_motor.torque_limit", '"50 mN*m"')
+    ),
     "a frictionless nominal motor": with_value("cable_motor.damping", '"0 g*m^2/s"'),
     "a target as large as the frame": changed(
         ('size = ["506 mm", "284 mm"]', 'size = ["711.8 mm", "461.8 mm"]')
