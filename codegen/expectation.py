@@ -33,7 +33,7 @@ Bools = NDArray[np.bool_]
 ROUNDINGS = 64.0
 #: The same for tensions: 5.7e-14 of T_max in double precision, 3.1e-5 in single.
 TENSION_ROUNDINGS = 256.0
-#: S is singular from some smallest singular value; its pivots agree with that within this factor.
+#: How far from the limit of singularity a pivot must be to be decided whatever the rounding.
 RANK_FACTOR = 4.0
 
 
@@ -390,10 +390,16 @@ def verdicts(
 
 
 def rank(p: Problem, structure: Wide) -> tuple[Wide, tuple[Bools, Bools]]:
-    """Smallest singular value of S, and where S must, and may, count as singular."""
-    least = smallest_singular_value(np.swapaxes(structure, -1, -2))
+    """Smallest singular value of S, and where S must, and may, count as singular.
+
+    The C looks at the pivots of a factorisation without exchanges, which are never smaller than
+    the smallest singular value, but may be larger.
+    """
+    columns = np.swapaxes(structure, -1, -2)
+    least = smallest_singular_value(columns)
     limit = RANK_TOLERANCE * p.epsilon
-    return least, (least < limit / RANK_FACTOR, least < limit * RANK_FACTOR)
+    pivot = np.sqrt(least_pivot(columns))
+    return least, (pivot < limit / RANK_FACTOR, least < limit * RANK_FACTOR)
 
 
 def distribution(policy: str) -> Judge:

@@ -1,0 +1,57 @@
+"""What tests of the generated C share: the stock machine and its C as committed."""
+
+from pathlib import Path
+
+import pytest
+
+from codegen.accuracy import Accuracy
+from codegen.accuracy_cache import measured_accuracy
+from codegen.bind import Generated
+from codegen.generate import Model, build_model
+from model.machine import Machine, load_machine
+
+ROOT = Path(__file__).parents[1]
+STOCK_FILE = ROOT / "machines" / "yoon2023.toml"
+STOCK_FOLDER = ROOT / "generated" / "yoon2023"
+
+
+@pytest.fixture(scope="session")
+def stock_file() -> Path:
+    """The stock machine file."""
+    return STOCK_FILE
+
+
+@pytest.fixture(scope="session")
+def stock_folder() -> Path:
+    """The committed C of the stock machine."""
+    return STOCK_FOLDER
+
+
+@pytest.fixture(scope="session")
+def stock() -> Machine:
+    """The stock machine."""
+    return load_machine(STOCK_FILE)
+
+
+@pytest.fixture(scope="session")
+def stock_model(stock: Machine) -> Model:
+    """The symbolic functions of the stock machine, lowered."""
+    return build_model(stock)
+
+
+@pytest.fixture(scope="session")
+def stock_accuracies(stock_model: Model) -> dict[str, Accuracy]:
+    """The measured errors that the headers of the stock machine state."""
+    return measured_accuracy(stock_model.machine, stock_model.items())
+
+
+@pytest.fixture(scope="session")
+def double(stock: Machine, stock_folder: Path) -> Generated:
+    """The committed C in double precision."""
+    return Generated(stock, stock_folder, "double")
+
+
+@pytest.fixture(scope="session")
+def single(stock: Machine, stock_folder: Path) -> Generated:
+    """The committed C in single precision."""
+    return Generated(stock, stock_folder, "float")
