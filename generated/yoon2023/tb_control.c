@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
@@ -78,7 +78,7 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
     const real_t load_1 = tension[1] + (structure[5] * t14 - structure[1] * t15);
     const real_t load_2 = tension[2] + (structure[6] * t14 - structure[2] * t15);
     const real_t load_3 = tension[3] + (structure[7] * t14 - structure[3] * t15);
-    const bool t16 = tb_min(t3, t13) < TB_C(1e-06);
+    const bool t16 = !(TB_C(1e-06) < t3 && TB_C(1e-06) < t13);
     if (t16) {
         load[0] = TB_C(3.0);
         load[1] = TB_C(3.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -35,7 +35,7 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  Domain: hand_force with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables are parallel.
  *  Error of load: double at most 6.2e-12 N; float at most 3.1e-02 N.
- *  Cost, all branches: 28 add, 34 mul, 2 div, 1 compare, 1 select. */
+ *  Cost, all branches: 28 add, 34 mul, 2 div, 2 compare. */
 tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
     hand_force[2], real_t load[4]);
 

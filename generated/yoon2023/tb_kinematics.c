@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
@@ -90,9 +90,10 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t l
     const real_t length_2 = TB_SQRT(t3 * t3 + t4 * t4);
     const real_t t5 = rails[3] - pose[1];
     const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t5 * t5);
-    const bool t6 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t7 = t6 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    if (t7) {
+    const bool t6 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t7 = t6 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t8 = !t7;
+    if (t8) {
         length[0] = TB_C(0.0);
         length[1] = TB_C(0.0);
         length[2] = TB_C(0.0);
@@ -147,9 +148,10 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_
     const real_t structure_5 = t3 * t4;
     const real_t structure_6 = t6 * t7;
     const real_t structure_7 = t8 * t9;
-    const bool t10 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t11 = t10 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    if (t11) {
+    const bool t10 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t11 = t10 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t12 = !t11;
+    if (t12) {
         structure[0] = TB_C(0.0);
         structure[1] = TB_C(0.0);
         structure[2] = TB_C(0.0);
@@ -212,9 +214,10 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
     const real_t t9 = TB_C(1.0) / length_3;
     const real_t jacobian_6 = pose[0] * t9;
     const real_t jacobian_7 = -(t8 * t9);
-    const bool t10 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t11 = t10 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    if (t11) {
+    const bool t10 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t11 = t10 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t12 = !t11;
+    if (t12) {
         jacobian[0] = TB_C(0.0);
         jacobian[1] = TB_C(0.0);
         jacobian[2] = TB_C(0.0);
@@ -288,15 +291,16 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
     const real_t t27 = t23 * t23 + t8 * t8 + t24 * t24 + t18 * t18 - t21 * (t25 * t25);
     const real_t velocity_1 = t26 / t27;
     const real_t velocity_0 = -(t20 * t22 + t25 * velocity_1);
-    const bool t28 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t29 = t28 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    const bool t30 = tb_min(t21, t27) < TB_C(1e-06);
-    if (t29) {
+    const bool t28 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t29 = t28 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t30 = !t29;
+    const bool t31 = !(TB_C(1e-06) < t21 && TB_C(1e-06) < t27);
+    if (t30) {
         velocity[0] = TB_C(0.0);
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t30) {
+    if (t31) {
         velocity[0] = TB_C(0.0);
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
@@ -406,16 +410,18 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     const real_t t67 = rails[3] - pose_1;
     const real_t misfit_3 = lengths[3] - TB_SQRT(pose_0 * pose_0 + t67 * t67);
     const real_t residual_0 = TB_SQRT(t66 + misfit_3 * misfit_3);
-    const bool t68 = tb_min(t26, t30) < TB_C(5.066592400000001e-09);
-    const real_t t69 = tb_min(tb_min(distance_0, distance_1), distance_2);
-    const bool t70 = tb_min(t69, distance_3) < TB_C(0.0001);
-    if (t68) {
+    const bool t68 = TB_C(5.066592400000001e-09) < t26 && TB_C(5.066592400000001e-09) < t30;
+    const bool t69 = !t68;
+    const bool t70 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t71 = t70 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t72 = !t71;
+    if (t69) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t70) {
+    if (t72) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -468,9 +474,10 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t j
     const real_t t5 = rails[3] - pose[1];
     const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t5 * t5);
     const real_t jacobian_15 = t5 / length_3;
-    const bool t6 = length_0 < TB_C(0.0001) || length_1 < TB_C(0.0001);
-    const bool t7 = t6 || length_2 < TB_C(0.0001) || length_3 < TB_C(0.0001);
-    if (t7) {
+    const bool t6 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t7 = t6 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t8 = !t7;
+    if (t8) {
         jacobian[0] = TB_C(0.0);
         jacobian[1] = TB_C(0.0);
         jacobian[2] = TB_C(0.0);

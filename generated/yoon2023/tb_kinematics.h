@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -75,7 +75,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  Error of velocity: double at most 2.2e-12 m/s; float at most 4.5e-03 m/s.
- *  Cost, all branches: 33 add, 46 mul, 6 div, 4 sqrt, 5 compare, 1 select. */
+ *  Cost, all branches: 33 add, 46 mul, 6 div, 4 sqrt, 6 compare. */
 tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
     length_rates[4], const real_t rail_rates[4], real_t velocity[2]);
 
@@ -95,7 +95,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
  *    0.2061, 0.7389), rails (0, 0.4309, 0.6618, 0.03311)); float at most 3.3e-05 m (worst found
  *    1.6e-05 at lengths (0.3576, 0.5775, 0.6271, 0.2921), rails (0.01173, 0.3927, 0.7118,
  *    0.04809)).
- *  Cost, all branches: 96 add, 90 mul, 8 div, 9 sqrt, 2 compare, 4 select. */
+ *  Cost, all branches: 96 add, 90 mul, 8 div, 9 sqrt, 6 compare. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
     real_t residual[1]);
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -20,7 +20,7 @@
  *  Error of tension: double at most 1.4e-13 N (worst found 6.9e-14 at pose (0.2132, 0.3316),
  *    rails (0.7118, 0.1251, 0.001177, 0.4589)); float at most 3.1e-05 N (worst found 1.6e-05 at
  *    pose (0.4568, 0.271), rails (0.1797, 0.4616, 0.7118, 0.1325)).
- *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 39 compare, 110 select. */
+ *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 40 compare, 114 select. */
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4]);
 
 /** Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace  (Yoon eq. 13).
@@ -34,7 +34,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
  *  Error of factor: double at most 4.4e-15 (worst found 2.2e-15 at pose (0.1525, 0.1299), rails
  *    (0, 0.4429, 0.4687, 0)); float at most 2.2e-06 (worst found 1.1e-06 at pose (0.1463,
  *    0.121), rails (7.219e-05, 0.4037, 0.4196, 0)).
- *  Cost, all branches: 111 add, 154 mul, 18 div, 6 sqrt, 15 compare, 76 select. */
+ *  Cost, all branches: 111 add, 154 mul, 18 div, 6 sqrt, 16 compare, 80 select. */
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t factor[1]);
 
 /** Isotropic force I_F: the largest force in every direction; 0 outside the workspace  (Yoon
@@ -63,7 +63,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
  *  Error of force: double at most 1.6e-14 N (worst found 8.0e-15 at pose (0.2073, 0.07243),
  *    rails (0.141, 0.2158, 0.2949, 0.1677)); float at most 1.9e-05 N (worst found 9.6e-06 at
  *    pose (0.7036, 0.03782), rails (0.2777, 0.02611, 0.7118, 0.4614)).
- *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 45 compare, 117 select. */
+ *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 46 compare, 121 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1]);
 
 #endif

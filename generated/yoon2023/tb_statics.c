@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
@@ -53,8 +53,8 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real
     const real_t t8 = rails[3] - pose[1];
     const real_t t9 = TB_SQRT(pose[0] * pose[0] + t8 * t8);
     const real_t force_3 = -(tension[3] * (t8 / t9));
-    const bool t10 = t1 < TB_C(0.0001) || t4 < TB_C(0.0001) || t7 < TB_C(0.0001);
-    const bool t11 = t10 || t9 < TB_C(0.0001);
+    const bool t10 = TB_C(0.0001) < t1 && TB_C(0.0001) < t4 && TB_C(0.0001) < t7;
+    const bool t11 = !(t10 && TB_C(0.0001) < t9);
     if (t11) {
         force[0] = TB_C(0.0);
         force[1] = TB_C(0.0);

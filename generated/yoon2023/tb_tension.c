@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -51,7 +51,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t16 = TB_C(3.0) - start_3;
     const real_t t17 = TB_SQRT(determinant) * TB_C(0.5);
     const real_t t18 = TB_C(1.0) / t17;
-    const real_t t19 = TB_C(80.0) * TB_EPSILON * t18;
+    const real_t t19 = TB_C(320.0) * TB_EPSILON * t18;
     const real_t height_3 = structure[3] * wrench[1] - structure[7] * wrench[0];
     const real_t t20 = height_0 * cross_02 + height_1 * cross_12 - cross_23 * height_3;
     const real_t start_2 = t15 * t20;
@@ -67,236 +67,238 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t29 = TB_C(3.0) + t28;
     const real_t t30 = t28 + TB_C(10.0);
     const real_t t31 = tb_min(tb_max(TB_C(0.0), t29), t30);
-    const real_t t32 = t31 * (TB_C(1.0) / (t14 + (t8 + t10)));
-    const real_t t33 = t26 * t32;
-    const real_t t34 = TB_C(10.0) - start_1;
-    const real_t t35 = t19 + t34;
-    const real_t t36 = tb_max(t25 + t33, -(t33 + t35));
-    const bool t37 = TB_C(0.0) < t36;
-    const real_t t38 = TB_EPSILON * TB_C(16.0);
-    const real_t t39 = t29 - t19;
-    const real_t t40 = -t33;
-    const real_t t41 = t19 + t30;
-    const real_t t42 = cross_01 * cross_02 + cross_13 * cross_23;
-    const real_t t43 = cross_03 * cross_23 - cross_01 * cross_12;
-    const real_t t44 = cross_03 * cross_01 - cross_23 * cross_12;
-    const real_t t45 = cross_13 * cross_01 + cross_23 * cross_02;
-    const real_t t46 = TB_C(2.0) * t19;
-    const real_t t47 = t19 * TB_C(1024.0);
-    real_t t48, t49, t50, t51, t52;
-    if (t37) {
-        const bool t53 = TB_ABS(cross_23) <= t38;
-        const real_t t54 = tb_min(tb_max(t40, t24), t34);
-        const real_t t55 = t54 * (TB_C(1.0) / (t9 + (t8 + t11)));
-        const real_t t56 = t26 * t55;
-        const real_t t57 = TB_C(1.0) / cross_23;
-        real_t t58, t59, t60;
-        if (t53) {
-            t58 = -TB_C(1000000000000.0);
-            t59 = TB_C(1000000000000.0);
-            t60 = TB_C(0.0);
+    const real_t t32 = TB_C(1.0) / tb_max(t14 + (t8 + t10), TB_C(1e-30));
+    const real_t t33 = t31 * t32;
+    const real_t t34 = t26 * t33;
+    const real_t t35 = TB_C(10.0) - start_1;
+    const real_t t36 = t19 + t35;
+    const real_t t37 = tb_max(t25 + t34, -(t34 + t36));
+    const bool t38 = TB_C(0.0) < t37;
+    const real_t t39 = TB_EPSILON * TB_C(16.0);
+    const real_t t40 = t29 - t19;
+    const real_t t41 = -t34;
+    const real_t t42 = t19 + t30;
+    const real_t t43 = cross_01 * cross_02 + cross_13 * cross_23;
+    const real_t t44 = cross_03 * cross_23 - cross_01 * cross_12;
+    const real_t t45 = cross_03 * cross_01 - cross_23 * cross_12;
+    const real_t t46 = cross_13 * cross_01 + cross_23 * cross_02;
+    const real_t t47 = TB_C(2.0) * t19;
+    const real_t t48 = t19 * TB_C(1024.0);
+    real_t t49, t50, t51, t52, t53;
+    if (t38) {
+        const bool t54 = TB_ABS(cross_23) <= t39;
+        const real_t t55 = tb_min(tb_max(t41, t24), t35);
+        const real_t t56 = t55 * (TB_C(1.0) / tb_max(t9 + (t8 + t11), TB_C(1e-30)));
+        const real_t t57 = t26 * t56;
+        const real_t t58 = TB_C(1.0) / cross_23;
+        real_t t59, t60, t61;
+        if (t54) {
+            t59 = -TB_C(1000000000000.0);
+            t60 = TB_C(1000000000000.0);
+            t61 = TB_C(0.0);
         } else {
-            const real_t t61 = -((t39 + t56) * t57);
-            const real_t t62 = -(t57 * (t56 + t41));
-            t58 = tb_min(t61, t62);
-            t59 = tb_max(t61, t62);
-            t60 = t46 * TB_ABS(TB_C(1.0) / (t3 - t2));
+            const real_t t62 = -((t40 + t57) * t58);
+            const real_t t63 = -(t58 * (t57 + t42));
+            t59 = tb_min(t62, t63);
+            t60 = tb_max(t62, t63);
+            t61 = t47 * TB_ABS(TB_C(1.0) / (t3 - t2));
         }
-        const real_t t63 = tb_min(tb_max(TB_C(0.0), t58), t59);
-        const real_t t64 = determinant * t55;
-        const real_t t65 = TB_C(0.0) < TB_ABS(t63) ? t63 * (t26 * t57) : TB_C(0.0);
-        const real_t t66 = t40 < t54 ? t65 - t64 : t64 - t65;
-        const real_t t67 = t58 + t60 < t59 - t60 && t47 < t36 ? t66 : TB_C(0.0);
-        t48 = cross_03 * t63 - t55 * t42;
-        t49 = -(t55 * t44 + cross_02 * t63);
-        t50 = -(t56 + cross_23 * t63);
-        t51 = t54;
-        t52 = TB_C(0.0) < t66 ? t67 : TB_C(0.0);
+        const real_t t64 = tb_min(tb_max(TB_C(0.0), t59), t60);
+        const real_t t65 = determinant * t56;
+        const real_t t66 = TB_C(0.0) < TB_ABS(t64) ? t64 * (t26 * t58) : TB_C(0.0);
+        const real_t t67 = t41 < t55 ? t66 - t65 : t65 - t66;
+        const real_t t68 = t59 + t61 < t60 - t61 && t48 < t37 ? t67 : TB_C(0.0);
+        t49 = cross_03 * t64 - t56 * t43;
+        t50 = -(t56 * t45 + cross_02 * t64);
+        t51 = -(t57 + cross_23 * t64);
+        t52 = t55;
+        t53 = TB_C(0.0) < t67 ? t68 : TB_C(0.0);
     } else {
-        t48 = -(t32 * t43);
-        t49 = t32 * t45;
-        t50 = t31;
-        t51 = t40;
-        t52 = TB_C(0.0);
+        t49 = -(t33 * t44);
+        t50 = t33 * t46;
+        t51 = t31;
+        t52 = t41;
+        t53 = TB_C(0.0);
     }
-    const real_t t68 = TB_C(10.0) - start_2;
-    const real_t t69 = t19 + t68;
-    const real_t t70 = tb_max(t22 - t48, t48 - t69);
-    const bool t71 = TB_C(0.0) < t70;
-    const real_t t72 = cross_03 * cross_02 + cross_13 * cross_12;
-    real_t t73, t74, t75, t76, t77;
-    if (t71) {
-        const bool t78 = TB_ABS(cross_03) <= t38;
-        const real_t t79 = tb_min(tb_max(t48, t21), t68);
-        const real_t t80 = t79 * (TB_C(1.0) / (t7 + (t10 + t11)));
-        const real_t t81 = t42 * t80;
-        const real_t t82 = TB_C(1.0) / cross_03;
-        real_t t83, t84, t85;
-        if (t78) {
-            t83 = -TB_C(1000000000000.0);
-            t84 = TB_C(1000000000000.0);
-            t85 = TB_C(0.0);
+    const real_t t69 = TB_C(10.0) - start_2;
+    const real_t t70 = t19 + t69;
+    const real_t t71 = tb_max(t22 - t49, t49 - t70);
+    const bool t72 = TB_C(0.0) < t71;
+    const real_t t73 = cross_03 * cross_02 + cross_13 * cross_12;
+    real_t t74, t75, t76, t77, t78;
+    if (t72) {
+        const bool t79 = TB_ABS(cross_03) <= t39;
+        const real_t t80 = tb_min(tb_max(t49, t21), t69);
+        const real_t t81 = TB_C(1.0) / tb_max(t7 + (t10 + t11), TB_C(1e-30));
+        const real_t t82 = t80 * t81;
+        const real_t t83 = t43 * t82;
+        const real_t t84 = TB_C(1.0) / cross_03;
+        real_t t85, t86, t87;
+        if (t79) {
+            t85 = -TB_C(1000000000000.0);
+            t86 = TB_C(1000000000000.0);
+            t87 = TB_C(0.0);
         } else {
-            const real_t t86 = -((t25 + t81) * t82);
-            const real_t t87 = -(t82 * (t35 + t81));
-            t83 = tb_min(t86, t87);
-            t84 = tb_max(t86, t87);
-            t85 = t46 * TB_ABS(TB_C(1.0) / (t1 - t0));
+            const real_t t88 = -((t25 + t83) * t84);
+            const real_t t89 = -(t84 * (t36 + t83));
+            t85 = tb_min(t88, t89);
+            t86 = tb_max(t88, t89);
+            t87 = t47 * TB_ABS(TB_C(1.0) / (t1 - t0));
         }
-        const bool t88 = TB_ABS(cross_13) <= t38;
-        const real_t t89 = t43 * t80;
-        const real_t t90 = TB_C(1.0) / cross_13;
-        real_t t91, t92, t93;
-        if (t88) {
-            t91 = -TB_C(1000000000000.0);
-            t92 = TB_C(1000000000000.0);
-            t93 = TB_C(0.0);
+        const bool t90 = TB_ABS(cross_13) <= t39;
+        const real_t t91 = t44 * t82;
+        const real_t t92 = TB_C(1.0) / cross_13;
+        real_t t93, t94, t95;
+        if (t90) {
+            t93 = -TB_C(1000000000000.0);
+            t94 = TB_C(1000000000000.0);
+            t95 = TB_C(0.0);
         } else {
-            const real_t t94 = (t39 + t89) * t90;
-            const real_t t95 = t90 * (t41 + t89);
-            t91 = tb_min(t94, t95);
-            t92 = tb_max(t94, t95);
-            t93 = t46 * TB_ABS(t90);
+            const real_t t96 = (t40 + t91) * t92;
+            const real_t t97 = t92 * (t42 + t91);
+            t93 = tb_min(t96, t97);
+            t94 = tb_max(t96, t97);
+            t95 = t47 * TB_ABS(t92);
         }
-        const real_t t96 = tb_min(tb_max(TB_C(0.0), tb_max(t83, t91)), tb_min(t84, t92));
-        const real_t t97 = determinant * t80;
-        real_t t98;
-        if (TB_C(0.0) < TB_ABS(t96)) {
-            const real_t t99 = t42 * t82;
-            const real_t t100 = -(t43 * t90);
-            const real_t t101 = TB_C(0.0) < t96 ? (t91 < t83 ? t99 : t100) : (t84 < t92 ? t99 :
-                t100);
-            t98 = t96 * t101;
+        const real_t t98 = tb_min(tb_max(TB_C(0.0), tb_max(t85, t93)), tb_min(t86, t94));
+        const real_t t99 = determinant * t82;
+        real_t t100;
+        if (TB_C(0.0) < TB_ABS(t98)) {
+            const real_t t101 = t43 * t84;
+            const real_t t102 = -(t44 * t92);
+            const real_t t103 = TB_C(0.0) < t98 ? (t93 < t85 ? t101 : t102) : (t86 < t94 ? t101
+                : t102);
+            t100 = t98 * t103;
         } else {
-            t98 = TB_C(0.0);
+            t100 = TB_C(0.0);
         }
-        const real_t t102 = t48 < t79 ? t98 - t97 : t97 - t98;
-        real_t t103;
-        if (TB_C(0.0) < t102) {
-            const bool t104 = tb_max(t91 + t93, t83 + t85) < tb_min(t92 - t93, t84 - t85);
-            t103 = t104 && t47 < t70 ? t102 : TB_C(0.0);
+        const real_t t104 = t49 < t80 ? t100 - t99 : t99 - t100;
+        real_t t105;
+        if (TB_C(0.0) < t104) {
+            const bool t106 = tb_max(t93 + t95, t85 + t87) < tb_min(t94 - t95, t86 - t87);
+            t105 = t106 && t48 < t71 ? t104 : TB_C(0.0);
         } else {
-            t103 = TB_C(0.0);
+            t105 = TB_C(0.0);
         }
-        t73 = cross_01 * t96 - t80 * t72;
-        t74 = cross_13 * t96 - t89;
-        t75 = -(t81 + cross_03 * t96);
-        t76 = t79;
-        t77 = t103;
+        t74 = cross_01 * t98 - t82 * t73;
+        t75 = cross_13 * t98 - t91;
+        t76 = -(t83 + cross_03 * t98);
+        t77 = t80;
+        t78 = t105;
     } else {
-        t73 = t49;
         t74 = t50;
         t75 = t51;
-        t76 = t48;
-        t77 = t52;
+        t76 = t52;
+        t77 = t49;
+        t78 = t53;
     }
-    const real_t t105 = TB_C(10.0) - start_3;
-    const real_t t106 = tb_max(t16 - t19 - t73, t73 - (t19 + t105));
-    const bool t107 = TB_C(0.0) < t106;
-    real_t t108, t109, t110, t111, t112;
-    if (t107) {
-        const real_t t113 = tb_min(tb_max(t73, t16), t105);
-        const real_t t114 = t113 * (TB_C(1.0) / (t7 + (t9 + t14)));
-        const real_t t115 = t45 * t114;
-        const bool t116 = TB_ABS(cross_01) <= t38;
-        const real_t t117 = t72 * t114;
-        const real_t t118 = TB_C(1.0) / cross_01;
-        real_t t119, t120, t121;
-        if (t116) {
-            t119 = -TB_C(1000000000000.0);
-            t120 = TB_C(1000000000000.0);
-            t121 = TB_C(0.0);
+    const real_t t107 = TB_C(10.0) - start_3;
+    const real_t t108 = tb_max(t16 - t19 - t74, t74 - (t19 + t107));
+    const bool t109 = TB_C(0.0) < t108;
+    real_t t110, t111, t112, t113, t114;
+    if (t109) {
+        const real_t t115 = tb_min(tb_max(t74, t16), t107);
+        const real_t t116 = t115 * (TB_C(1.0) / tb_max(t7 + (t9 + t14), TB_C(1e-30)));
+        const real_t t117 = t46 * t116;
+        const bool t118 = TB_ABS(cross_01) <= t39;
+        const real_t t119 = t73 * t116;
+        const real_t t120 = TB_C(1.0) / cross_01;
+        real_t t121, t122, t123;
+        if (t118) {
+            t121 = -TB_C(1000000000000.0);
+            t122 = TB_C(1000000000000.0);
+            t123 = TB_C(0.0);
         } else {
-            const real_t t122 = -((t22 + t117) * t118);
-            const real_t t123 = -(t118 * (t69 + t117));
-            t119 = tb_min(t122, t123);
-            t120 = tb_max(t122, t123);
-            t121 = t46 * TB_ABS(TB_C(1.0) / (t6 - t5));
+            const real_t t124 = -((t22 + t119) * t120);
+            const real_t t125 = -(t120 * (t70 + t119));
+            t121 = tb_min(t124, t125);
+            t122 = tb_max(t124, t125);
+            t123 = t47 * TB_ABS(TB_C(1.0) / (t6 - t5));
         }
-        const bool t124 = TB_ABS(cross_02) <= t38;
-        const real_t t125 = t44 * t114;
-        const real_t t126 = TB_C(1.0) / cross_02;
-        real_t t127, t128, t129;
-        if (t124) {
-            t127 = -TB_C(1000000000000.0);
-            t128 = TB_C(1000000000000.0);
-            t129 = TB_C(0.0);
+        const bool t126 = TB_ABS(cross_02) <= t39;
+        const real_t t127 = t45 * t116;
+        const real_t t128 = TB_C(1.0) / cross_02;
+        real_t t129, t130, t131;
+        if (t126) {
+            t129 = -TB_C(1000000000000.0);
+            t130 = TB_C(1000000000000.0);
+            t131 = TB_C(0.0);
         } else {
-            const real_t t130 = (t25 + t125) * t126;
-            const real_t t131 = t126 * (t35 + t125);
-            t127 = tb_min(t130, t131);
-            t128 = tb_max(t130, t131);
-            t129 = t46 * TB_ABS(t126);
+            const real_t t132 = (t25 + t127) * t128;
+            const real_t t133 = t128 * (t36 + t127);
+            t129 = tb_min(t132, t133);
+            t130 = tb_max(t132, t133);
+            t131 = t47 * TB_ABS(t128);
         }
-        const bool t132 = TB_ABS(cross_12) <= t38;
-        const real_t t133 = TB_C(1.0) / cross_12;
-        real_t t134, t135, t136;
-        if (t132) {
-            t134 = -TB_C(1000000000000.0);
-            t135 = TB_C(1000000000000.0);
-            t136 = TB_C(0.0);
+        const bool t134 = TB_ABS(cross_12) <= t39;
+        const real_t t135 = TB_C(1.0) / cross_12;
+        real_t t136, t137, t138;
+        if (t134) {
+            t136 = -TB_C(1000000000000.0);
+            t137 = TB_C(1000000000000.0);
+            t138 = TB_C(0.0);
         } else {
-            const real_t t137 = -((t39 - t115) * t133);
-            const real_t t138 = -(t133 * (t41 - t115));
-            t134 = tb_min(t137, t138);
-            t135 = tb_max(t137, t138);
-            t136 = t46 * TB_ABS(TB_C(1.0) / (t13 - t12));
+            const real_t t139 = -((t40 - t117) * t135);
+            const real_t t140 = -(t135 * (t42 - t117));
+            t136 = tb_min(t139, t140);
+            t137 = tb_max(t139, t140);
+            t138 = t47 * TB_ABS(TB_C(1.0) / (t13 - t12));
         }
-        const real_t t139 = tb_max(t127, t134);
-        const real_t t140 = tb_min(t128, t135);
-        const real_t t141 = tb_min(tb_max(TB_C(0.0), tb_max(t119, t139)), tb_min(t120, t140));
-        const real_t t142 = determinant * t114;
-        real_t t143;
-        if (TB_C(0.0) < TB_ABS(t141)) {
-            const real_t t144 = t72 * t118;
-            const real_t t145 = -(t44 * t126);
-            const real_t t146 = -(t45 * t133);
-            real_t t147;
-            if (TB_C(0.0) < t141) {
-                t147 = t139 < t119 ? t144 : (t134 < t127 ? t145 : t146);
+        const real_t t141 = tb_max(t129, t136);
+        const real_t t142 = tb_min(t130, t137);
+        const real_t t143 = tb_min(tb_max(TB_C(0.0), tb_max(t121, t141)), tb_min(t122, t142));
+        const real_t t144 = determinant * t116;
+        real_t t145;
+        if (TB_C(0.0) < TB_ABS(t143)) {
+            const real_t t146 = t73 * t120;
+            const real_t t147 = -(t45 * t128);
+            const real_t t148 = -(t46 * t135);
+            real_t t149;
+            if (TB_C(0.0) < t143) {
+                t149 = t141 < t121 ? t146 : (t136 < t129 ? t147 : t148);
             } else {
-                t147 = t120 < t140 ? t144 : (t128 < t135 ? t145 : t146);
+                t149 = t122 < t142 ? t146 : (t130 < t137 ? t147 : t148);
             }
-            t143 = t141 * t147;
+            t145 = t143 * t149;
         } else {
-            t143 = TB_C(0.0);
+            t145 = TB_C(0.0);
         }
-        const real_t t148 = t73 < t113 ? t143 - t142 : t142 - t143;
-        real_t t149;
-        if (TB_C(0.0) < t148) {
-            const real_t t150 = tb_max(tb_max(t134 + t136, t127 + t129), t119 + t121);
-            const real_t t151 = tb_min(tb_min(t135 - t136, t128 - t129), t120 - t121);
-            t149 = t150 < t151 && t47 < t106 ? t148 : TB_C(0.0);
+        const real_t t150 = t74 < t115 ? t145 - t144 : t144 - t145;
+        real_t t151;
+        if (TB_C(0.0) < t150) {
+            const real_t t152 = tb_max(tb_max(t136 + t138, t129 + t131), t121 + t123);
+            const real_t t153 = tb_min(tb_min(t137 - t138, t130 - t131), t122 - t123);
+            t151 = t152 < t153 && t48 < t108 ? t150 : TB_C(0.0);
         } else {
-            t149 = TB_C(0.0);
+            t151 = TB_C(0.0);
         }
-        t108 = t115 - cross_12 * t141;
-        t109 = cross_02 * t141 - t125;
-        t110 = -(t117 + cross_01 * t141);
-        t111 = t113;
-        t112 = t149;
+        t110 = t117 - cross_12 * t143;
+        t111 = cross_02 * t143 - t127;
+        t112 = -(t119 + cross_01 * t143);
+        t113 = t115;
+        t114 = t151;
     } else {
-        t108 = t74;
-        t109 = t75;
-        t110 = t76;
-        t111 = t73;
+        t110 = t75;
+        t111 = t76;
         t112 = t77;
+        t113 = t74;
+        t114 = t78;
     }
-    const real_t tension_0 = tb_min(tb_max(t108 - t28, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t109, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t110, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t111, TB_C(3.0)), TB_C(10.0));
-    const real_t t152 = structure[0] * tension_0 + structure[1] * tension_1;
+    const real_t tension_0 = tb_min(tb_max(t110 - t28, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(start_1 + t111, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(start_2 + t112, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(start_3 + t113, TB_C(3.0)), TB_C(10.0));
+    const real_t t154 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t152 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t153 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t153 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t kkt_residual_0 = tb_max(tb_max(t112, TB_ABS(delivered_0 - wrench[0])),
+    const real_t delivered_0 = t154 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t155 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t155 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t kkt_residual_0 = tb_max(tb_max(t114, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const bool t154 = !(TB_EPSILON * TB_C(4096.0) < t17);
-    const bool t155 = kkt_residual_0 <= t18 * (TB_EPSILON * TB_C(1280.0));
-    const bool t156 = !t155;
-    if (t154) {
+    const bool t156 = !(TB_EPSILON * TB_C(4096.0) < t17);
+    const bool t157 = kkt_residual_0 <= t18 * (TB_EPSILON * TB_C(5120.0));
+    const bool t158 = !t157;
+    if (t156) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -306,7 +308,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t156) {
+    if (t158) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -369,275 +371,280 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     /* the least-norm tensions that exert the wrench */
     const real_t start_3 = t18 - structure[3] * t22;
     const real_t t23 = TB_C(3.0) - start_3;
-    const real_t t24 = tb_min(TB_ABS(t3), TB_ABS(t12));
-    const real_t t25 = TB_C(1.0) / t24;
-    const real_t t26 = TB_C(80.0) * TB_EPSILON * t25;
+    const real_t t24 = TB_ABS(t3);
+    const real_t t25 = TB_ABS(t12);
+    const real_t t26 = TB_C(1.0) / tb_min(t24, t25);
+    const real_t t27 = TB_C(80.0) * TB_EPSILON * t26;
     const real_t start_2 = t20 - structure[2] * t22;
-    const real_t t27 = TB_C(3.0) - start_2;
-    const real_t t28 = t27 - t26;
+    const real_t t28 = TB_C(3.0) - start_2;
+    const real_t t29 = t28 - t27;
     const real_t start_1 = t19 - structure[1] * t22;
-    const real_t t29 = TB_C(3.0) - start_1;
-    const real_t t30 = t29 - t26;
-    const real_t t31 = t9 * t16;
-    const real_t t32 = TB_C(1.0) - t9 * t31;
-    const real_t t33 = t13 * t31;
-    const real_t t34 = t10 * t31;
-    const real_t t35 = structure[2] * t32 - structure[1] * t33 - structure[3] * t34;
-    const real_t t36 = t6 * t35;
-    const real_t t37 = t4 * t36;
-    const real_t t38 = t33 + structure[1] * t36;
-    const real_t t39 = t10 * t16;
-    const real_t t40 = TB_C(1.0) - t10 * t39;
-    const real_t t41 = t13 * t39;
-    const real_t t42 = t9 * t39;
-    const real_t t43 = structure[3] * t40 - (structure[1] * t41 + structure[2] * t42);
-    const real_t t44 = t6 * t43;
-    const real_t t45 = t4 * t44;
-    const real_t t46 = t41 + structure[1] * t44;
-    const real_t t47 = t37 * t38 + t45 * t46;
-    const real_t t48 = t14 + t4 * t22;
-    const real_t t49 = TB_C(3.0) + t48;
-    const real_t t50 = t48 + TB_C(10.0);
-    const real_t t51 = tb_min(tb_max(TB_C(0.0), t49), t50);
-    const real_t t52 = t51 / (t37 * t37 + t45 * t45);
-    const real_t t53 = t47 * t52;
-    const real_t t54 = TB_C(10.0) - start_1;
-    const real_t t55 = t26 + t54;
-    const real_t t56 = tb_max(t30 - t53, t53 - t55);
-    const bool t57 = TB_C(0.0) < t56;
-    const real_t t58 = t42 + structure[2] * t44;
-    const real_t t59 = t32 - structure[2] * t36;
-    const real_t t60 = t46 * t58 - t38 * t59;
-    const real_t t61 = t38 * t58 + t46 * t59;
-    const real_t t62 = TB_EPSILON * TB_C(16.0);
-    const real_t t63 = t49 - t26;
-    const real_t t64 = t26 + t50;
-    const real_t t65 = t45 * t58 - t37 * t59;
-    const real_t t66 = t34 + structure[3] * t36;
-    const real_t t67 = t40 - structure[3] * t44;
-    const real_t t68 = t38 * t66 - t46 * t67;
-    const real_t t69 = t38 * t67 + t46 * t66;
-    const real_t t70 = t37 * t66 - t45 * t67;
-    const real_t t71 = t26 * TB_C(2.0);
-    const real_t t72 = t26 * TB_C(1024.0);
-    real_t t73, t74, t75, t76, t77;
-    if (t57) {
-        const real_t t78 = tb_min(tb_max(t53, t29), t54);
-        const real_t t79 = t78 * (TB_C(1.0) / (t38 * t38 + t46 * t46));
-        const real_t t80 = t38 * t45 - t37 * t46;
-        const bool t81 = TB_ABS(t80) <= t62;
-        const real_t t82 = t47 * t79;
-        const real_t t83 = TB_C(1.0) / t80;
-        real_t t84, t85, t86;
-        if (t81) {
-            t84 = -TB_C(1000000000000.0);
-            t85 = TB_C(1000000000000.0);
-            t86 = TB_C(0.0);
+    const real_t t30 = TB_C(3.0) - start_1;
+    const real_t t31 = t30 - t27;
+    const real_t t32 = t9 * t16;
+    const real_t t33 = TB_C(1.0) - t9 * t32;
+    const real_t t34 = t13 * t32;
+    const real_t t35 = t10 * t32;
+    const real_t t36 = structure[2] * t33 - structure[1] * t34 - structure[3] * t35;
+    const real_t t37 = t6 * t36;
+    const real_t t38 = t4 * t37;
+    const real_t t39 = t34 + structure[1] * t37;
+    const real_t t40 = t10 * t16;
+    const real_t t41 = TB_C(1.0) - t10 * t40;
+    const real_t t42 = t13 * t40;
+    const real_t t43 = t9 * t40;
+    const real_t t44 = structure[3] * t41 - (structure[1] * t42 + structure[2] * t43);
+    const real_t t45 = t6 * t44;
+    const real_t t46 = t4 * t45;
+    const real_t t47 = t42 + structure[1] * t45;
+    const real_t t48 = t38 * t39 + t46 * t47;
+    const real_t t49 = t14 + t4 * t22;
+    const real_t t50 = TB_C(3.0) + t49;
+    const real_t t51 = t49 + TB_C(10.0);
+    const real_t t52 = tb_min(tb_max(TB_C(0.0), t50), t51);
+    const real_t t53 = t52 / tb_max(t38 * t38 + t46 * t46, TB_C(1e-30));
+    const real_t t54 = t48 * t53;
+    const real_t t55 = TB_C(10.0) - start_1;
+    const real_t t56 = t27 + t55;
+    const real_t t57 = tb_max(t31 - t54, t54 - t56);
+    const bool t58 = TB_C(0.0) < t57;
+    const real_t t59 = t43 + structure[2] * t45;
+    const real_t t60 = t33 - structure[2] * t37;
+    const real_t t61 = t47 * t59 - t39 * t60;
+    const real_t t62 = t39 * t59 + t47 * t60;
+    const real_t t63 = TB_EPSILON * TB_C(16.0);
+    const real_t t64 = t50 - t27;
+    const real_t t65 = t27 + t51;
+    const real_t t66 = t46 * t59 - t38 * t60;
+    const real_t t67 = t35 + structure[3] * t37;
+    const real_t t68 = t41 - structure[3] * t45;
+    const real_t t69 = t39 * t67 - t47 * t68;
+    const real_t t70 = t39 * t68 + t47 * t67;
+    const real_t t71 = t38 * t67 - t46 * t68;
+    const real_t t72 = t27 * TB_C(2.0);
+    const real_t t73 = t27 * TB_C(1024.0);
+    real_t t74, t75, t76, t77, t78;
+    if (t58) {
+        const real_t t79 = tb_min(tb_max(t54, t30), t55);
+        const real_t t80 = TB_C(1.0) / tb_max(t39 * t39 + t47 * t47, TB_C(1e-30));
+        const real_t t81 = t79 * t80;
+        const real_t t82 = t39 * t46 - t38 * t47;
+        const bool t83 = TB_ABS(t82) <= t63;
+        const real_t t84 = t48 * t81;
+        const real_t t85 = TB_C(1.0) / t82;
+        real_t t86, t87, t88;
+        if (t83) {
+            t86 = -TB_C(1000000000000.0);
+            t87 = TB_C(1000000000000.0);
+            t88 = TB_C(0.0);
         } else {
-            const real_t t87 = (t63 - t82) * t83;
-            const real_t t88 = t83 * (t64 - t82);
-            t84 = tb_min(t87, t88);
-            t85 = tb_max(t87, t88);
-            t86 = t71 * TB_ABS(t83);
+            const real_t t89 = (t64 - t84) * t85;
+            const real_t t90 = t85 * (t65 - t84);
+            t86 = tb_min(t89, t90);
+            t87 = tb_max(t89, t90);
+            t88 = t72 * TB_ABS(t85);
         }
-        const real_t t89 = tb_min(tb_max(TB_C(0.0), t84), t85);
-        const real_t t90 = TB_C(0.0) < TB_ABS(t89) ? t89 * (t47 * t83) : TB_C(0.0);
-        const real_t t91 = t53 < t78 ? t90 - t79 : t79 - t90;
-        const real_t t92 = t84 + t86 < t85 - t86 && t72 < t56 ? t91 : TB_C(0.0);
-        t73 = t60 * t79 + t61 * t89;
-        t74 = t79 * t68 - t89 * t69;
-        t75 = t82 + t80 * t89;
-        t76 = t78;
-        t77 = TB_C(0.0) < t91 ? t92 : TB_C(0.0);
+        const real_t t91 = tb_min(tb_max(TB_C(0.0), t86), t87);
+        const real_t t92 = TB_C(0.0) < TB_ABS(t91) ? t91 * (t48 * t85) : TB_C(0.0);
+        const real_t t93 = t54 < t79 ? t92 - t81 : t81 - t92;
+        const real_t t94 = t86 + t88 < t87 - t88 && t73 < t57 ? t93 : TB_C(0.0);
+        t74 = t61 * t81 + t62 * t91;
+        t75 = t81 * t69 - t91 * t70;
+        t76 = t84 + t82 * t91;
+        t77 = t79;
+        t78 = TB_C(0.0) < t93 ? t94 : TB_C(0.0);
     } else {
-        t73 = t52 * t65;
-        t74 = t52 * t70;
-        t75 = t51;
-        t76 = t53;
-        t77 = TB_C(0.0);
+        t74 = t53 * t66;
+        t75 = t53 * t71;
+        t76 = t52;
+        t77 = t54;
+        t78 = TB_C(0.0);
     }
-    const real_t t93 = TB_C(10.0) - start_2;
-    const real_t t94 = t26 + t93;
-    const real_t t95 = tb_max(t28 - t73, t73 - t94);
-    const bool t96 = TB_C(0.0) < t95;
-    const real_t t97 = t59 * t67;
-    const real_t t98 = t58 * t66;
-    const real_t t99 = t59 * t66 + t58 * t67;
-    real_t t100, t101, t102, t103, t104;
-    if (t96) {
-        const bool t105 = TB_ABS(t61) <= t62;
-        const real_t t106 = tb_min(tb_max(t73, t27), t93);
-        const real_t t107 = t106 * (TB_C(1.0) / (t59 * t59 + t58 * t58));
-        const real_t t108 = t60 * t107;
-        const real_t t109 = TB_C(1.0) / t61;
-        real_t t110, t111, t112;
-        if (t105) {
-            t110 = -TB_C(1000000000000.0);
-            t111 = TB_C(1000000000000.0);
-            t112 = TB_C(0.0);
+    const real_t t95 = TB_C(10.0) - start_2;
+    const real_t t96 = t27 + t95;
+    const real_t t97 = tb_max(t29 - t74, t74 - t96);
+    const bool t98 = TB_C(0.0) < t97;
+    const real_t t99 = t60 * t68;
+    const real_t t100 = t59 * t67;
+    const real_t t101 = t60 * t67 + t59 * t68;
+    real_t t102, t103, t104, t105, t106;
+    if (t98) {
+        const bool t107 = TB_ABS(t62) <= t63;
+        const real_t t108 = tb_min(tb_max(t74, t28), t95);
+        const real_t t109 = TB_C(1.0) / tb_max(t60 * t60 + t59 * t59, TB_C(1e-30));
+        const real_t t110 = t108 * t109;
+        const real_t t111 = t61 * t110;
+        const real_t t112 = TB_C(1.0) / t62;
+        real_t t113, t114, t115;
+        if (t107) {
+            t113 = -TB_C(1000000000000.0);
+            t114 = TB_C(1000000000000.0);
+            t115 = TB_C(0.0);
         } else {
-            const real_t t113 = -((t30 - t108) * t109);
-            const real_t t114 = -(t109 * (t55 - t108));
-            t110 = tb_min(t113, t114);
-            t111 = tb_max(t113, t114);
-            t112 = t71 * TB_ABS(TB_C(1.0) / -t61);
+            const real_t t116 = -((t31 - t111) * t112);
+            const real_t t117 = -(t112 * (t56 - t111));
+            t113 = tb_min(t116, t117);
+            t114 = tb_max(t116, t117);
+            t115 = t72 * TB_ABS(TB_C(1.0) / -t62);
         }
-        const real_t t115 = t45 * t59 + t37 * t58;
-        const bool t116 = TB_ABS(t115) <= t62;
-        const real_t t117 = t65 * t107;
-        const real_t t118 = TB_C(1.0) / t115;
-        real_t t119, t120, t121;
-        if (t116) {
-            t119 = -TB_C(1000000000000.0);
-            t120 = TB_C(1000000000000.0);
-            t121 = TB_C(0.0);
+        const real_t t118 = t46 * t60 + t38 * t59;
+        const bool t119 = TB_ABS(t118) <= t63;
+        const real_t t120 = t66 * t110;
+        const real_t t121 = TB_C(1.0) / t118;
+        real_t t122, t123, t124;
+        if (t119) {
+            t122 = -TB_C(1000000000000.0);
+            t123 = TB_C(1000000000000.0);
+            t124 = TB_C(0.0);
         } else {
-            const real_t t122 = -((t63 - t117) * t118);
-            const real_t t123 = -(t118 * (t64 - t117));
-            t119 = tb_min(t122, t123);
-            t120 = tb_max(t122, t123);
-            t121 = t71 * TB_ABS(TB_C(1.0) / -t115);
+            const real_t t125 = -((t64 - t120) * t121);
+            const real_t t126 = -(t121 * (t65 - t120));
+            t122 = tb_min(t125, t126);
+            t123 = tb_max(t125, t126);
+            t124 = t72 * TB_ABS(TB_C(1.0) / -t118);
         }
-        const real_t t124 = tb_min(tb_max(TB_C(0.0), tb_max(t110, t119)), tb_min(t111, t120));
-        real_t t125;
-        if (TB_C(0.0) < TB_ABS(t124)) {
-            const real_t t126 = -(t60 * t109);
-            const real_t t127 = -(t65 * t118);
-            const real_t t128 = TB_C(0.0) < t124 ? (t119 < t110 ? t126 : t127) : (t111 < t120 ?
-                t126 : t127);
-            t125 = t124 * t128;
+        const real_t t127 = tb_min(tb_max(TB_C(0.0), tb_max(t113, t122)), tb_min(t114, t123));
+        real_t t128;
+        if (TB_C(0.0) < TB_ABS(t127)) {
+            const real_t t129 = -(t61 * t112);
+            const real_t t130 = -(t66 * t121);
+            const real_t t131 = TB_C(0.0) < t127 ? (t122 < t113 ? t129 : t130) : (t114 < t123 ?
+                t129 : t130);
+            t128 = t127 * t131;
         } else {
-            t125 = TB_C(0.0);
+            t128 = TB_C(0.0);
         }
-        const real_t t129 = t73 < t106 ? t125 - t107 : t107 - t125;
-        real_t t130;
-        if (TB_C(0.0) < t129) {
-            const bool t131 = tb_max(t119 + t121, t110 + t112) < tb_min(t120 - t121, t111 -
-                t112);
-            t130 = t131 && t72 < t95 ? t129 : TB_C(0.0);
+        const real_t t132 = t74 < t108 ? t128 - t110 : t110 - t128;
+        real_t t133;
+        if (TB_C(0.0) < t132) {
+            const bool t134 = tb_max(t122 + t124, t113 + t115) < tb_min(t123 - t124, t114 -
+                t115);
+            t133 = t134 && t73 < t97 ? t132 : TB_C(0.0);
         } else {
-            t130 = TB_C(0.0);
+            t133 = TB_C(0.0);
         }
-        t100 = (t97 - t98) * t124 - t107 * t99;
-        t101 = t117 - t115 * t124;
-        t102 = t108 - t61 * t124;
-        t103 = t106;
-        t104 = t130;
+        t102 = (t99 - t100) * t127 - t110 * t101;
+        t103 = t120 - t118 * t127;
+        t104 = t111 - t62 * t127;
+        t105 = t108;
+        t106 = t133;
     } else {
-        t100 = t74;
-        t101 = t75;
-        t102 = t76;
-        t103 = t73;
+        t102 = t75;
+        t103 = t76;
         t104 = t77;
+        t105 = t74;
+        t106 = t78;
     }
-    const real_t t132 = TB_C(10.0) - start_3;
-    const real_t t133 = tb_max(t23 - t26 - t100, t100 - (t26 + t132));
-    const bool t134 = TB_C(0.0) < t133;
-    real_t t135, t136, t137, t138, t139;
-    if (t134) {
-        const real_t t140 = tb_min(tb_max(t100, t23), t132);
-        const real_t t141 = t140 * (TB_C(1.0) / (t66 * t66 + t67 * t67));
-        const real_t t142 = t70 * t141;
-        const real_t t143 = t45 * t66 + t37 * t67;
-        const real_t t144 = t98 - t97;
-        const bool t145 = TB_ABS(t144) <= t62;
-        const real_t t146 = t99 * t141;
-        const real_t t147 = TB_C(1.0) / t144;
-        real_t t148, t149, t150;
-        if (t145) {
-            t148 = -TB_C(1000000000000.0);
-            t149 = TB_C(1000000000000.0);
-            t150 = TB_C(0.0);
+    const real_t t135 = TB_C(10.0) - start_3;
+    const real_t t136 = tb_max(t23 - t27 - t102, t102 - (t27 + t135));
+    const bool t137 = TB_C(0.0) < t136;
+    real_t t138, t139, t140, t141, t142;
+    if (t137) {
+        const real_t t143 = tb_min(tb_max(t102, t23), t135);
+        const real_t t144 = TB_C(1.0) / tb_max(t67 * t67 + t68 * t68, TB_C(1e-30));
+        const real_t t145 = t143 * t144;
+        const real_t t146 = t71 * t145;
+        const real_t t147 = t46 * t67 + t38 * t68;
+        const real_t t148 = t100 - t99;
+        const bool t149 = TB_ABS(t148) <= t63;
+        const real_t t150 = t101 * t145;
+        const real_t t151 = TB_C(1.0) / t148;
+        real_t t152, t153, t154;
+        if (t149) {
+            t152 = -TB_C(1000000000000.0);
+            t153 = TB_C(1000000000000.0);
+            t154 = TB_C(0.0);
         } else {
-            const real_t t151 = (t28 + t146) * t147;
-            const real_t t152 = t147 * (t94 + t146);
-            t148 = tb_min(t151, t152);
-            t149 = tb_max(t151, t152);
-            t150 = t71 * TB_ABS(t147);
+            const real_t t155 = (t29 + t150) * t151;
+            const real_t t156 = t151 * (t96 + t150);
+            t152 = tb_min(t155, t156);
+            t153 = tb_max(t155, t156);
+            t154 = t72 * TB_ABS(t151);
         }
-        const bool t153 = TB_ABS(t69) <= t62;
-        const real_t t154 = t68 * t141;
-        const real_t t155 = TB_C(1.0) / t69;
-        real_t t156, t157, t158;
-        if (t153) {
-            t156 = -TB_C(1000000000000.0);
-            t157 = TB_C(1000000000000.0);
-            t158 = TB_C(0.0);
+        const bool t157 = TB_ABS(t70) <= t63;
+        const real_t t158 = t69 * t145;
+        const real_t t159 = TB_C(1.0) / t70;
+        real_t t160, t161, t162;
+        if (t157) {
+            t160 = -TB_C(1000000000000.0);
+            t161 = TB_C(1000000000000.0);
+            t162 = TB_C(0.0);
         } else {
-            const real_t t159 = (t30 - t154) * t155;
-            const real_t t160 = t155 * (t55 - t154);
-            t156 = tb_min(t159, t160);
-            t157 = tb_max(t159, t160);
-            t158 = t71 * TB_ABS(t155);
+            const real_t t163 = (t31 - t158) * t159;
+            const real_t t164 = t159 * (t56 - t158);
+            t160 = tb_min(t163, t164);
+            t161 = tb_max(t163, t164);
+            t162 = t72 * TB_ABS(t159);
         }
-        const bool t161 = TB_ABS(t143) <= t62;
-        const real_t t162 = TB_C(1.0) / t143;
-        real_t t163, t164, t165;
-        if (t161) {
-            t163 = -TB_C(1000000000000.0);
-            t164 = TB_C(1000000000000.0);
-            t165 = TB_C(0.0);
+        const bool t165 = TB_ABS(t147) <= t63;
+        const real_t t166 = TB_C(1.0) / t147;
+        real_t t167, t168, t169;
+        if (t165) {
+            t167 = -TB_C(1000000000000.0);
+            t168 = TB_C(1000000000000.0);
+            t169 = TB_C(0.0);
         } else {
-            const real_t t166 = (t63 - t142) * t162;
-            const real_t t167 = t162 * (t64 - t142);
-            t163 = tb_min(t166, t167);
-            t164 = tb_max(t166, t167);
-            t165 = t71 * TB_ABS(t162);
+            const real_t t170 = (t64 - t146) * t166;
+            const real_t t171 = t166 * (t65 - t146);
+            t167 = tb_min(t170, t171);
+            t168 = tb_max(t170, t171);
+            t169 = t72 * TB_ABS(t166);
         }
-        const real_t t168 = tb_max(t156, t163);
-        const real_t t169 = tb_min(t157, t164);
-        const real_t t170 = tb_min(tb_max(TB_C(0.0), tb_max(t148, t168)), tb_min(t149, t169));
-        real_t t171;
-        if (TB_C(0.0) < TB_ABS(t170)) {
-            const real_t t172 = -(t99 * t147);
-            const real_t t173 = t68 * t155;
-            const real_t t174 = t70 * t162;
-            real_t t175;
-            if (TB_C(0.0) < t170) {
-                t175 = t168 < t148 ? t172 : (t163 < t156 ? t173 : t174);
+        const real_t t172 = tb_max(t160, t167);
+        const real_t t173 = tb_min(t161, t168);
+        const real_t t174 = tb_min(tb_max(TB_C(0.0), tb_max(t152, t172)), tb_min(t153, t173));
+        real_t t175;
+        if (TB_C(0.0) < TB_ABS(t174)) {
+            const real_t t176 = -(t101 * t151);
+            const real_t t177 = t69 * t159;
+            const real_t t178 = t71 * t166;
+            real_t t179;
+            if (TB_C(0.0) < t174) {
+                t179 = t172 < t152 ? t176 : (t167 < t160 ? t177 : t178);
             } else {
-                t175 = t149 < t169 ? t172 : (t157 < t164 ? t173 : t174);
+                t179 = t153 < t173 ? t176 : (t161 < t168 ? t177 : t178);
             }
-            t171 = t170 * t175;
+            t175 = t174 * t179;
         } else {
-            t171 = TB_C(0.0);
+            t175 = TB_C(0.0);
         }
-        const real_t t176 = t100 < t140 ? t171 - t141 : t141 - t171;
-        real_t t177;
-        if (TB_C(0.0) < t176) {
-            const real_t t178 = tb_max(tb_max(t163 + t165, t156 + t158), t148 + t150);
-            const real_t t179 = tb_min(tb_min(t164 - t165, t157 - t158), t149 - t150);
-            t177 = t178 < t179 && t72 < t133 ? t176 : TB_C(0.0);
+        const real_t t180 = t102 < t143 ? t175 - t145 : t145 - t175;
+        real_t t181;
+        if (TB_C(0.0) < t180) {
+            const real_t t182 = tb_max(tb_max(t167 + t169, t160 + t162), t152 + t154);
+            const real_t t183 = tb_min(tb_min(t168 - t169, t161 - t162), t153 - t154);
+            t181 = t182 < t183 && t73 < t136 ? t180 : TB_C(0.0);
         } else {
-            t177 = TB_C(0.0);
+            t181 = TB_C(0.0);
         }
-        t135 = t142 + t143 * t170;
-        t136 = t154 + t69 * t170;
-        t137 = t144 * t170 - t146;
-        t138 = t140;
-        t139 = t177;
+        t138 = t146 + t147 * t174;
+        t139 = t158 + t70 * t174;
+        t140 = t148 * t174 - t150;
+        t141 = t143;
+        t142 = t181;
     } else {
-        t135 = t101;
-        t136 = t102;
-        t137 = t103;
-        t138 = t100;
+        t138 = t103;
         t139 = t104;
+        t140 = t105;
+        t141 = t102;
+        t142 = t106;
     }
-    const real_t tension_0 = tb_min(tb_max(t135 - t48, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t136, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t137, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t138, TB_C(3.0)), TB_C(10.0));
-    const real_t t180 = structure[0] * tension_0 + structure[1] * tension_1;
+    const real_t tension_0 = tb_min(tb_max(t138 - t49, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(start_1 + t139, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(start_2 + t140, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(start_3 + t141, TB_C(3.0)), TB_C(10.0));
+    const real_t t184 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t180 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t181 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t181 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t kkt_residual_0 = tb_max(tb_max(t139, TB_ABS(delivered_0 - wrench[0])),
+    const real_t delivered_0 = t184 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t185 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t185 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t kkt_residual_0 = tb_max(tb_max(t142, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const bool t182 = !(TB_EPSILON * TB_C(4096.0) < t24);
-    const bool t183 = kkt_residual_0 <= t25 * (TB_EPSILON * TB_C(1280.0));
-    const bool t184 = !t183;
-    if (t182) {
+    const real_t t186 = TB_EPSILON * TB_C(4096.0);
+    const bool t187 = !(t186 < t24 && t186 < t25);
+    const bool t188 = kkt_residual_0 <= t26 * (TB_EPSILON * TB_C(1280.0));
+    const bool t189 = !t188;
+    if (t187) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -647,7 +654,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t184) {
+    if (t189) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -795,102 +802,128 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
         real_t t80, t81;
         if (t79) {
             const bool t82 = TB_C(0.0) < t37;
-            const bool t83 = TB_C(0.0) < t17 - t16;
-            const bool t84 = !t82;
-            const real_t t85 = (t82 && t83) || (t84 && !t83) ? TB_C(10.0) : TB_C(3.0);
-            const bool t86 = TB_C(0.0) < t27 - t26;
-            const real_t t87 = (t82 && t86) || (t84 && !t86) ? TB_C(10.0) : TB_C(3.0);
-            const bool t88 = TB_C(0.0) < t33 - t32;
-            const real_t t89 = (t82 && t88) || (t84 && !t88) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t90 = structure[0] * t85 + structure[1] * t87 + structure[2] * t89;
-            const real_t t91 = structure[4] * t85 + structure[5] * t87 + structure[6] * t89;
-            const real_t t92 = structure[3] * (wrench[0] - t90) + structure[7] * (wrench[1] -
-                t91);
-            const real_t t93 = structure[3] * structure[3] + structure[7] * structure[7];
-            const real_t t94 = tb_min(tb_max(t92 * (TB_C(1.0) / t93), TB_C(3.0)), TB_C(10.0));
-            const real_t t95 = t90 + structure[3] * t94;
-            const real_t t96 = t95 - wrench[0];
-            const real_t t97 = t91 + structure[7] * t94;
-            const real_t t98 = t97 - wrench[1];
-            const real_t t99 = facet_3 < t38 ? t96 * t96 + t98 * t98 : TB_C(1e+30);
-            const bool t100 = TB_C(0.0) < t30;
-            const bool t101 = TB_C(0.0) < t13 - t12;
-            const bool t102 = !t100;
-            const real_t t103 = (t100 && t101) || (t102 && !t101) ? TB_C(10.0) : TB_C(3.0);
-            const bool t104 = TB_C(0.0) < t23 - t22;
-            const real_t t105 = (t100 && t104) || (t102 && !t104) ? TB_C(10.0) : TB_C(3.0);
-            const bool t106 = TB_C(0.0) <= t34;
-            const real_t t107 = (t100 && t106) || (t102 && !t106) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t108 = structure[0] * t103 + structure[1] * t105 + structure[3] * t107;
-            const real_t t109 = structure[4] * t103 + structure[5] * t105 + structure[7] * t107;
-            const real_t t110 = structure[2] * (wrench[0] - t108) + structure[6] * (wrench[1] -
-                t109);
-            const real_t t111 = structure[2] * structure[2] + structure[6] * structure[6];
-            const real_t t112 = tb_min(tb_max(t110 * (TB_C(1.0) / t111), TB_C(3.0)),
+            const real_t t83 = TB_C(16.0) * TB_EPSILON;
+            const bool t84 = t19 <= t83;
+            const real_t t85 = structure[0] * structure[3] + structure[4] * structure[7];
+            const bool t86 = TB_C(0.0) < t85;
+            const bool t87 = !t84;
+            const bool t88 = (t84 && !t86) || (t87 && TB_C(0.0) < t17 - t16);
+            const bool t89 = !t82;
+            const real_t t90 = (t82 && t88) || (t89 && !t88) ? TB_C(10.0) : TB_C(3.0);
+            const bool t91 = t29 <= t83;
+            const real_t t92 = structure[1] * structure[3] + structure[5] * structure[7];
+            const bool t93 = TB_C(0.0) < t92;
+            const bool t94 = !t91;
+            const bool t95 = (t91 && !t93) || (t94 && TB_C(0.0) < t27 - t26);
+            const real_t t96 = (t82 && t95) || (t89 && !t95) ? TB_C(10.0) : TB_C(3.0);
+            const bool t97 = t35 <= t83;
+            const real_t t98 = structure[2] * structure[3] + structure[6] * structure[7];
+            const bool t99 = TB_C(0.0) < t98;
+            const bool t100 = !t97;
+            const bool t101 = (t97 && !t99) || (t100 && TB_C(0.0) < t33 - t32);
+            const real_t t102 = (t82 && t101) || (t89 && !t101) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t103 = structure[0] * t90 + structure[1] * t96 + structure[2] * t102;
+            const real_t t104 = structure[4] * t90 + structure[5] * t96 + structure[6] * t102;
+            const real_t t105 = structure[3] * (wrench[0] - t103) + structure[7] * (wrench[1] -
+                t104);
+            const real_t t106 = structure[3] * structure[3] + structure[7] * structure[7];
+            const real_t t107 = tb_min(tb_max(t105 * (TB_C(1.0) / t106), TB_C(3.0)),
                 TB_C(10.0));
-            const real_t t113 = t108 + structure[2] * t112;
-            const real_t t114 = t113 - wrench[0];
-            const real_t t115 = t109 + structure[6] * t112;
-            const real_t t116 = t115 - wrench[1];
-            const real_t t117 = facet_2 < t31 ? t114 * t114 + t116 * t116 : TB_C(1e+30);
-            const bool t118 = TB_C(0.0) < t20;
-            const bool t119 = TB_C(0.0) < t9 - t8;
-            const bool t120 = !t118;
-            const real_t t121 = (t118 && t119) || (t120 && !t119) ? TB_C(10.0) : TB_C(3.0);
-            const bool t122 = TB_C(0.0) <= t24;
-            const real_t t123 = (t118 && t122) || (t120 && !t122) ? TB_C(10.0) : TB_C(3.0);
-            const bool t124 = TB_C(0.0) <= t28;
-            const real_t t125 = (t118 && t124) || (t120 && !t124) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t126 = structure[0] * t121 + structure[2] * t123 + structure[3] * t125;
-            const real_t t127 = structure[4] * t121 + structure[6] * t123 + structure[7] * t125;
-            const real_t t128 = structure[1] * (wrench[0] - t126) + structure[5] * (wrench[1] -
-                t127);
-            const real_t t129 = structure[1] * structure[1] + structure[5] * structure[5];
-            const real_t t130 = tb_min(tb_max(t128 * (TB_C(1.0) / t129), TB_C(3.0)),
+            const real_t t108 = t103 + structure[3] * t107;
+            const real_t t109 = t108 - wrench[0];
+            const real_t t110 = t104 + structure[7] * t107;
+            const real_t t111 = t110 - wrench[1];
+            const real_t t112 = facet_3 < t38 ? t109 * t109 + t111 * t111 : TB_C(1e+30);
+            const bool t113 = TB_C(0.0) < t30;
+            const bool t114 = t15 <= t83;
+            const real_t t115 = structure[0] * structure[2] + structure[4] * structure[6];
+            const bool t116 = TB_C(0.0) < t115;
+            const bool t117 = !t114;
+            const bool t118 = (t114 && !t116) || (t117 && TB_C(0.0) < t13 - t12);
+            const bool t119 = !t113;
+            const real_t t120 = (t113 && t118) || (t119 && !t118) ? TB_C(10.0) : TB_C(3.0);
+            const bool t121 = t25 <= t83;
+            const real_t t122 = structure[1] * structure[2] + structure[5] * structure[6];
+            const bool t123 = TB_C(0.0) < t122;
+            const bool t124 = !t121;
+            const bool t125 = (t121 && !t123) || (t124 && TB_C(0.0) < t23 - t22);
+            const real_t t126 = (t113 && t125) || (t119 && !t125) ? TB_C(10.0) : TB_C(3.0);
+            const bool t127 = (t97 && t99) || (t100 && TB_C(0.0) < t34);
+            const real_t t128 = (t113 && t127) || (t119 && !t127) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t129 = structure[0] * t120 + structure[1] * t126 + structure[3] * t128;
+            const real_t t130 = structure[4] * t120 + structure[5] * t126 + structure[7] * t128;
+            const real_t t131 = structure[2] * (wrench[0] - t129) + structure[6] * (wrench[1] -
+                t130);
+            const real_t t132 = structure[2] * structure[2] + structure[6] * structure[6];
+            const real_t t133 = tb_min(tb_max(t131 * (TB_C(1.0) / t132), TB_C(3.0)),
                 TB_C(10.0));
-            const real_t t131 = t126 + structure[1] * t130;
-            const real_t t132 = t131 - wrench[0];
-            const real_t t133 = t127 + structure[5] * t130;
-            const real_t t134 = t133 - wrench[1];
-            const real_t t135 = facet_1 < t21 ? t132 * t132 + t134 * t134 : TB_C(1e+30);
-            const bool t136 = TB_C(0.0) < t6;
-            const bool t137 = TB_C(0.0) <= t10;
-            const bool t138 = !t136;
-            const real_t t139 = (t136 && t137) || (t138 && !t137) ? TB_C(10.0) : TB_C(3.0);
-            const bool t140 = TB_C(0.0) <= t14;
-            const real_t t141 = (t136 && t140) || (t138 && !t140) ? TB_C(10.0) : TB_C(3.0);
-            const bool t142 = TB_C(0.0) <= t18;
-            const real_t t143 = (t136 && t142) || (t138 && !t142) ? TB_C(10.0) : TB_C(3.0);
-            const real_t t144 = structure[1] * t139 + structure[2] * t141 + structure[3] * t143;
-            const real_t t145 = structure[5] * t139 + structure[6] * t141 + structure[7] * t143;
-            const real_t t146 = structure[0] * (wrench[0] - t144) + structure[4] * (wrench[1] -
-                t145);
-            const real_t t147 = structure[0] * structure[0] + structure[4] * structure[4];
-            const real_t t148 = tb_min(tb_max(t146 * (TB_C(1.0) / t147), TB_C(3.0)),
+            const real_t t134 = t129 + structure[2] * t133;
+            const real_t t135 = t134 - wrench[0];
+            const real_t t136 = t130 + structure[6] * t133;
+            const real_t t137 = t136 - wrench[1];
+            const real_t t138 = facet_2 < t31 ? t135 * t135 + t137 * t137 : TB_C(1e+30);
+            const bool t139 = TB_C(0.0) < t20;
+            const bool t140 = t11 <= t83;
+            const real_t t141 = structure[0] * structure[1] + structure[4] * structure[5];
+            const bool t142 = TB_C(0.0) < t141;
+            const bool t143 = !t140;
+            const bool t144 = (t140 && !t142) || (t143 && TB_C(0.0) < t9 - t8);
+            const bool t145 = !t139;
+            const real_t t146 = (t139 && t144) || (t145 && !t144) ? TB_C(10.0) : TB_C(3.0);
+            const bool t147 = (t121 && t123) || (t124 && TB_C(0.0) < t24);
+            const real_t t148 = (t139 && t147) || (t145 && !t147) ? TB_C(10.0) : TB_C(3.0);
+            const bool t149 = (t91 && t93) || (t94 && TB_C(0.0) < t28);
+            const real_t t150 = (t139 && t149) || (t145 && !t149) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t151 = structure[0] * t146 + structure[2] * t148 + structure[3] * t150;
+            const real_t t152 = structure[4] * t146 + structure[6] * t148 + structure[7] * t150;
+            const real_t t153 = structure[1] * (wrench[0] - t151) + structure[5] * (wrench[1] -
+                t152);
+            const real_t t154 = structure[1] * structure[1] + structure[5] * structure[5];
+            const real_t t155 = tb_min(tb_max(t153 * (TB_C(1.0) / t154), TB_C(3.0)),
                 TB_C(10.0));
-            const real_t t149 = t144 + structure[0] * t148;
-            const real_t t150 = t149 - wrench[0];
-            const real_t t151 = t145 + structure[4] * t148;
-            const real_t t152 = t151 - wrench[1];
-            const real_t t153 = facet_0 < t7 ? t150 * t150 + t152 * t152 : TB_C(1e+30);
-            const bool t154 = t153 < TB_C(1e+30);
-            const real_t t155 = t154 ? t153 : TB_C(1e+30);
-            const bool t156 = t135 < t155;
-            const real_t t157 = t156 ? t135 : t155;
-            const bool t158 = t117 < t157;
-            real_t t159, t160, t161;
-            if (t158) {
-                t159 = t117;
-                t160 = t113;
-                t161 = t115;
+            const real_t t156 = t151 + structure[1] * t155;
+            const real_t t157 = t156 - wrench[0];
+            const real_t t158 = t152 + structure[5] * t155;
+            const real_t t159 = t158 - wrench[1];
+            const real_t t160 = facet_1 < t21 ? t157 * t157 + t159 * t159 : TB_C(1e+30);
+            const bool t161 = TB_C(0.0) < t6;
+            const bool t162 = (t140 && t142) || (t143 && TB_C(0.0) < t10);
+            const bool t163 = !t161;
+            const real_t t164 = (t161 && t162) || (t163 && !t162) ? TB_C(10.0) : TB_C(3.0);
+            const bool t165 = (t114 && t116) || (t117 && TB_C(0.0) < t14);
+            const real_t t166 = (t161 && t165) || (t163 && !t165) ? TB_C(10.0) : TB_C(3.0);
+            const bool t167 = (t84 && t86) || (t87 && TB_C(0.0) < t18);
+            const real_t t168 = (t161 && t167) || (t163 && !t167) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t169 = structure[1] * t164 + structure[2] * t166 + structure[3] * t168;
+            const real_t t170 = structure[5] * t164 + structure[6] * t166 + structure[7] * t168;
+            const real_t t171 = structure[0] * (wrench[0] - t169) + structure[4] * (wrench[1] -
+                t170);
+            const real_t t172 = structure[0] * structure[0] + structure[4] * structure[4];
+            const real_t t173 = tb_min(tb_max(t171 * (TB_C(1.0) / t172), TB_C(3.0)),
+                TB_C(10.0));
+            const real_t t174 = t169 + structure[0] * t173;
+            const real_t t175 = t174 - wrench[0];
+            const real_t t176 = t170 + structure[4] * t173;
+            const real_t t177 = t176 - wrench[1];
+            const real_t t178 = facet_0 < t7 ? t175 * t175 + t177 * t177 : TB_C(1e+30);
+            const bool t179 = t178 < TB_C(1e+30);
+            const real_t t180 = t179 ? t178 : TB_C(1e+30);
+            const bool t181 = t160 < t180;
+            const real_t t182 = t181 ? t160 : t180;
+            const bool t183 = t138 < t182;
+            real_t t184, t185, t186;
+            if (t183) {
+                t184 = t138;
+                t185 = t134;
+                t186 = t136;
             } else {
-                t159 = t157;
-                t160 = t156 ? t131 : (t154 ? t149 : TB_C(0.0));
-                t161 = t156 ? t133 : (t154 ? t151 : TB_C(0.0));
+                t184 = t182;
+                t185 = t181 ? t156 : (t179 ? t174 : TB_C(0.0));
+                t186 = t181 ? t158 : (t179 ? t176 : TB_C(0.0));
             }
-            const bool t162 = t99 < t159;
-            t80 = t162 ? t95 : t160;
-            t81 = t162 ? t97 : t161;
+            const bool t187 = t112 < t184;
+            t80 = t187 ? t108 : t185;
+            t81 = t187 ? t110 : t186;
         } else {
             t80 = wrench[0] * t78;
             t81 = wrench[1] * t78;
@@ -964,96 +997,122 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         served_1 = wrench[1];
     } else {
         const bool t39 = TB_C(0.0) < t35;
-        const bool t40 = TB_C(0.0) < t15 - t14;
-        const bool t41 = !t39;
-        const real_t t42 = (t39 && t40) || (t41 && !t40) ? TB_C(10.0) : TB_C(3.0);
-        const bool t43 = TB_C(0.0) < t25 - t24;
-        const real_t t44 = (t39 && t43) || (t41 && !t43) ? TB_C(10.0) : TB_C(3.0);
-        const bool t45 = TB_C(0.0) < t31 - t30;
-        const real_t t46 = (t39 && t45) || (t41 && !t45) ? TB_C(10.0) : TB_C(3.0);
-        const real_t t47 = structure[0] * t42 + structure[1] * t44 + structure[2] * t46;
-        const real_t t48 = structure[4] * t42 + structure[5] * t44 + structure[6] * t46;
-        const real_t t49 = structure[3] * (wrench[0] - t47) + structure[7] * (wrench[1] - t48);
-        const real_t t50 = structure[3] * structure[3] + structure[7] * structure[7];
-        const real_t t51 = tb_min(tb_max(t49 * (TB_C(1.0) / t50), TB_C(3.0)), TB_C(10.0));
-        const real_t t52 = t47 + structure[3] * t51;
-        const real_t t53 = t52 - wrench[0];
-        const real_t t54 = t48 + structure[7] * t51;
-        const real_t t55 = t54 - wrench[1];
-        const real_t t56 = facet_3 < t36 ? t53 * t53 + t55 * t55 : TB_C(1e+30);
-        const bool t57 = TB_C(0.0) < t28;
-        const bool t58 = TB_C(0.0) < t11 - t10;
-        const bool t59 = !t57;
-        const real_t t60 = (t57 && t58) || (t59 && !t58) ? TB_C(10.0) : TB_C(3.0);
-        const bool t61 = TB_C(0.0) < t21 - t20;
-        const real_t t62 = (t57 && t61) || (t59 && !t61) ? TB_C(10.0) : TB_C(3.0);
-        const bool t63 = TB_C(0.0) <= t32;
-        const real_t t64 = (t57 && t63) || (t59 && !t63) ? TB_C(10.0) : TB_C(3.0);
-        const real_t t65 = structure[0] * t60 + structure[1] * t62 + structure[3] * t64;
-        const real_t t66 = structure[4] * t60 + structure[5] * t62 + structure[7] * t64;
-        const real_t t67 = structure[2] * (wrench[0] - t65) + structure[6] * (wrench[1] - t66);
-        const real_t t68 = structure[2] * structure[2] + structure[6] * structure[6];
-        const real_t t69 = tb_min(tb_max(t67 * (TB_C(1.0) / t68), TB_C(3.0)), TB_C(10.0));
-        const real_t t70 = t65 + structure[2] * t69;
-        const real_t t71 = t70 - wrench[0];
-        const real_t t72 = t66 + structure[6] * t69;
-        const real_t t73 = t72 - wrench[1];
-        const real_t t74 = facet_2 < t29 ? t71 * t71 + t73 * t73 : TB_C(1e+30);
-        const bool t75 = TB_C(0.0) < t18;
-        const bool t76 = TB_C(0.0) < t7 - t6;
-        const bool t77 = !t75;
-        const real_t t78 = (t75 && t76) || (t77 && !t76) ? TB_C(10.0) : TB_C(3.0);
-        const bool t79 = TB_C(0.0) <= t22;
-        const real_t t80 = (t75 && t79) || (t77 && !t79) ? TB_C(10.0) : TB_C(3.0);
-        const bool t81 = TB_C(0.0) <= t26;
-        const real_t t82 = (t75 && t81) || (t77 && !t81) ? TB_C(10.0) : TB_C(3.0);
-        const real_t t83 = structure[0] * t78 + structure[2] * t80 + structure[3] * t82;
-        const real_t t84 = structure[4] * t78 + structure[6] * t80 + structure[7] * t82;
-        const real_t t85 = structure[1] * (wrench[0] - t83) + structure[5] * (wrench[1] - t84);
-        const real_t t86 = structure[1] * structure[1] + structure[5] * structure[5];
-        const real_t t87 = tb_min(tb_max(t85 * (TB_C(1.0) / t86), TB_C(3.0)), TB_C(10.0));
-        const real_t t88 = t83 + structure[1] * t87;
-        const real_t t89 = t88 - wrench[0];
-        const real_t t90 = t84 + structure[5] * t87;
-        const real_t t91 = t90 - wrench[1];
-        const real_t t92 = facet_1 < t19 ? t89 * t89 + t91 * t91 : TB_C(1e+30);
-        const bool t93 = TB_C(0.0) < t4;
-        const bool t94 = TB_C(0.0) <= t8;
-        const bool t95 = !t93;
-        const real_t t96 = (t93 && t94) || (t95 && !t94) ? TB_C(10.0) : TB_C(3.0);
-        const bool t97 = TB_C(0.0) <= t12;
-        const real_t t98 = (t93 && t97) || (t95 && !t97) ? TB_C(10.0) : TB_C(3.0);
-        const bool t99 = TB_C(0.0) <= t16;
-        const real_t t100 = (t93 && t99) || (t95 && !t99) ? TB_C(10.0) : TB_C(3.0);
-        const real_t t101 = structure[1] * t96 + structure[2] * t98 + structure[3] * t100;
-        const real_t t102 = structure[5] * t96 + structure[6] * t98 + structure[7] * t100;
-        const real_t t103 = structure[0] * (wrench[0] - t101) + structure[4] * (wrench[1] -
-            t102);
-        const real_t t104 = structure[0] * structure[0] + structure[4] * structure[4];
-        const real_t t105 = tb_min(tb_max(t103 * (TB_C(1.0) / t104), TB_C(3.0)), TB_C(10.0));
-        const real_t t106 = t101 + structure[0] * t105;
-        const real_t t107 = t106 - wrench[0];
-        const real_t t108 = t102 + structure[4] * t105;
-        const real_t t109 = t108 - wrench[1];
-        const real_t t110 = facet_0 < t5 ? t107 * t107 + t109 * t109 : TB_C(1e+30);
-        const bool t111 = t110 < TB_C(1e+30);
-        const real_t t112 = t111 ? t110 : TB_C(1e+30);
-        const bool t113 = t92 < t112;
-        const real_t t114 = t113 ? t92 : t112;
-        const bool t115 = t74 < t114;
-        real_t t116, t117, t118;
-        if (t115) {
-            t116 = t74;
-            t117 = t70;
-            t118 = t72;
+        const real_t t40 = TB_C(16.0) * TB_EPSILON;
+        const bool t41 = t17 <= t40;
+        const real_t t42 = structure[0] * structure[3] + structure[4] * structure[7];
+        const bool t43 = TB_C(0.0) < t42;
+        const bool t44 = !t41;
+        const bool t45 = (t41 && !t43) || (t44 && TB_C(0.0) < t15 - t14);
+        const bool t46 = !t39;
+        const real_t t47 = (t39 && t45) || (t46 && !t45) ? TB_C(10.0) : TB_C(3.0);
+        const bool t48 = t27 <= t40;
+        const real_t t49 = structure[1] * structure[3] + structure[5] * structure[7];
+        const bool t50 = TB_C(0.0) < t49;
+        const bool t51 = !t48;
+        const bool t52 = (t48 && !t50) || (t51 && TB_C(0.0) < t25 - t24);
+        const real_t t53 = (t39 && t52) || (t46 && !t52) ? TB_C(10.0) : TB_C(3.0);
+        const bool t54 = t33 <= t40;
+        const real_t t55 = structure[2] * structure[3] + structure[6] * structure[7];
+        const bool t56 = TB_C(0.0) < t55;
+        const bool t57 = !t54;
+        const bool t58 = (t54 && !t56) || (t57 && TB_C(0.0) < t31 - t30);
+        const real_t t59 = (t39 && t58) || (t46 && !t58) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t60 = structure[0] * t47 + structure[1] * t53 + structure[2] * t59;
+        const real_t t61 = structure[4] * t47 + structure[5] * t53 + structure[6] * t59;
+        const real_t t62 = structure[3] * (wrench[0] - t60) + structure[7] * (wrench[1] - t61);
+        const real_t t63 = structure[3] * structure[3] + structure[7] * structure[7];
+        const real_t t64 = tb_min(tb_max(t62 * (TB_C(1.0) / t63), TB_C(3.0)), TB_C(10.0));
+        const real_t t65 = t60 + structure[3] * t64;
+        const real_t t66 = t65 - wrench[0];
+        const real_t t67 = t61 + structure[7] * t64;
+        const real_t t68 = t67 - wrench[1];
+        const real_t t69 = facet_3 < t36 ? t66 * t66 + t68 * t68 : TB_C(1e+30);
+        const bool t70 = TB_C(0.0) < t28;
+        const bool t71 = t13 <= t40;
+        const real_t t72 = structure[0] * structure[2] + structure[4] * structure[6];
+        const bool t73 = TB_C(0.0) < t72;
+        const bool t74 = !t71;
+        const bool t75 = (t71 && !t73) || (t74 && TB_C(0.0) < t11 - t10);
+        const bool t76 = !t70;
+        const real_t t77 = (t70 && t75) || (t76 && !t75) ? TB_C(10.0) : TB_C(3.0);
+        const bool t78 = t23 <= t40;
+        const real_t t79 = structure[1] * structure[2] + structure[5] * structure[6];
+        const bool t80 = TB_C(0.0) < t79;
+        const bool t81 = !t78;
+        const bool t82 = (t78 && !t80) || (t81 && TB_C(0.0) < t21 - t20);
+        const real_t t83 = (t70 && t82) || (t76 && !t82) ? TB_C(10.0) : TB_C(3.0);
+        const bool t84 = (t54 && t56) || (t57 && TB_C(0.0) < t32);
+        const real_t t85 = (t70 && t84) || (t76 && !t84) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t86 = structure[0] * t77 + structure[1] * t83 + structure[3] * t85;
+        const real_t t87 = structure[4] * t77 + structure[5] * t83 + structure[7] * t85;
+        const real_t t88 = structure[2] * (wrench[0] - t86) + structure[6] * (wrench[1] - t87);
+        const real_t t89 = structure[2] * structure[2] + structure[6] * structure[6];
+        const real_t t90 = tb_min(tb_max(t88 * (TB_C(1.0) / t89), TB_C(3.0)), TB_C(10.0));
+        const real_t t91 = t86 + structure[2] * t90;
+        const real_t t92 = t91 - wrench[0];
+        const real_t t93 = t87 + structure[6] * t90;
+        const real_t t94 = t93 - wrench[1];
+        const real_t t95 = facet_2 < t29 ? t92 * t92 + t94 * t94 : TB_C(1e+30);
+        const bool t96 = TB_C(0.0) < t18;
+        const bool t97 = t9 <= t40;
+        const real_t t98 = structure[0] * structure[1] + structure[4] * structure[5];
+        const bool t99 = TB_C(0.0) < t98;
+        const bool t100 = !t97;
+        const bool t101 = (t97 && !t99) || (t100 && TB_C(0.0) < t7 - t6);
+        const bool t102 = !t96;
+        const real_t t103 = (t96 && t101) || (t102 && !t101) ? TB_C(10.0) : TB_C(3.0);
+        const bool t104 = (t78 && t80) || (t81 && TB_C(0.0) < t22);
+        const real_t t105 = (t96 && t104) || (t102 && !t104) ? TB_C(10.0) : TB_C(3.0);
+        const bool t106 = (t48 && t50) || (t51 && TB_C(0.0) < t26);
+        const real_t t107 = (t96 && t106) || (t102 && !t106) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t108 = structure[0] * t103 + structure[2] * t105 + structure[3] * t107;
+        const real_t t109 = structure[4] * t103 + structure[6] * t105 + structure[7] * t107;
+        const real_t t110 = structure[1] * (wrench[0] - t108) + structure[5] * (wrench[1] -
+            t109);
+        const real_t t111 = structure[1] * structure[1] + structure[5] * structure[5];
+        const real_t t112 = tb_min(tb_max(t110 * (TB_C(1.0) / t111), TB_C(3.0)), TB_C(10.0));
+        const real_t t113 = t108 + structure[1] * t112;
+        const real_t t114 = t113 - wrench[0];
+        const real_t t115 = t109 + structure[5] * t112;
+        const real_t t116 = t115 - wrench[1];
+        const real_t t117 = facet_1 < t19 ? t114 * t114 + t116 * t116 : TB_C(1e+30);
+        const bool t118 = TB_C(0.0) < t4;
+        const bool t119 = (t97 && t99) || (t100 && TB_C(0.0) < t8);
+        const bool t120 = !t118;
+        const real_t t121 = (t118 && t119) || (t120 && !t119) ? TB_C(10.0) : TB_C(3.0);
+        const bool t122 = (t71 && t73) || (t74 && TB_C(0.0) < t12);
+        const real_t t123 = (t118 && t122) || (t120 && !t122) ? TB_C(10.0) : TB_C(3.0);
+        const bool t124 = (t41 && t43) || (t44 && TB_C(0.0) < t16);
+        const real_t t125 = (t118 && t124) || (t120 && !t124) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t126 = structure[1] * t121 + structure[2] * t123 + structure[3] * t125;
+        const real_t t127 = structure[5] * t121 + structure[6] * t123 + structure[7] * t125;
+        const real_t t128 = structure[0] * (wrench[0] - t126) + structure[4] * (wrench[1] -
+            t127);
+        const real_t t129 = structure[0] * structure[0] + structure[4] * structure[4];
+        const real_t t130 = tb_min(tb_max(t128 * (TB_C(1.0) / t129), TB_C(3.0)), TB_C(10.0));
+        const real_t t131 = t126 + structure[0] * t130;
+        const real_t t132 = t131 - wrench[0];
+        const real_t t133 = t127 + structure[4] * t130;
+        const real_t t134 = t133 - wrench[1];
+        const real_t t135 = facet_0 < t5 ? t132 * t132 + t134 * t134 : TB_C(1e+30);
+        const bool t136 = t135 < TB_C(1e+30);
+        const real_t t137 = t136 ? t135 : TB_C(1e+30);
+        const bool t138 = t117 < t137;
+        const real_t t139 = t138 ? t117 : t137;
+        const bool t140 = t95 < t139;
+        real_t t141, t142, t143;
+        if (t140) {
+            t141 = t95;
+            t142 = t91;
+            t143 = t93;
         } else {
-            t116 = t114;
-            t117 = t113 ? t88 : (t111 ? t106 : TB_C(0.0));
-            t118 = t113 ? t90 : (t111 ? t108 : TB_C(0.0));
+            t141 = t139;
+            t142 = t138 ? t113 : (t136 ? t131 : TB_C(0.0));
+            t143 = t138 ? t115 : (t136 ? t133 : TB_C(0.0));
         }
-        const bool t119 = t56 < t116;
-        served_0 = t119 ? t52 : t117;
-        served_1 = t119 ? t54 : t118;
+        const bool t144 = t69 < t141;
+        served_0 = t144 ? t65 : t142;
+        served_1 = t144 ? t67 : t143;
     }
     served[0] = served_0;
     served[1] = served_1;
@@ -1104,276 +1163,282 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t start_3 = t18 - structure[3] * t22;
     const real_t t23 = TB_C(3.0) - start_3;
     const real_t t24 = TB_C(3.0) + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
-    const real_t t25 = tb_min(TB_ABS(t3), TB_ABS(t12));
-    const real_t t26 = TB_C(1.0) / t25;
-    const real_t t27 = TB_C(8.0) * TB_EPSILON * t24 * t26;
+    const real_t t25 = TB_ABS(t3);
+    const real_t t26 = TB_ABS(t12);
+    const real_t t27 = TB_C(1.0) / tb_min(t25, t26);
+    const real_t t28 = TB_C(8.0) * TB_EPSILON * t24 * t27;
     const real_t start_2 = t20 - structure[2] * t22;
-    const real_t t28 = TB_C(3.0) - start_2;
-    const real_t t29 = t28 - t27;
+    const real_t t29 = TB_C(3.0) - start_2;
+    const real_t t30 = t29 - t28;
     const real_t start_1 = t19 - structure[1] * t22;
-    const real_t t30 = TB_C(3.0) - start_1;
-    const real_t t31 = t30 - t27;
-    const real_t t32 = t9 * t16;
-    const real_t t33 = TB_C(1.0) - t9 * t32;
-    const real_t t34 = t13 * t32;
-    const real_t t35 = t10 * t32;
-    const real_t t36 = structure[2] * t33 - structure[1] * t34 - structure[3] * t35;
-    const real_t t37 = t6 * t36;
-    const real_t t38 = t4 * t37;
-    const real_t t39 = t34 + structure[1] * t37;
-    const real_t t40 = t10 * t16;
-    const real_t t41 = TB_C(1.0) - t10 * t40;
-    const real_t t42 = t13 * t40;
-    const real_t t43 = t9 * t40;
-    const real_t t44 = structure[3] * t41 - (structure[1] * t42 + structure[2] * t43);
-    const real_t t45 = t6 * t44;
-    const real_t t46 = t4 * t45;
-    const real_t t47 = t42 + structure[1] * t45;
-    const real_t t48 = t38 * t39 + t46 * t47;
-    const real_t t49 = t14 + t4 * t22;
-    const real_t t50 = TB_C(3.0) + t49;
-    const real_t t51 = t49 + TB_C(1000000000000.0);
-    const real_t t52 = tb_min(tb_max(TB_C(0.0), t50), t51);
-    const real_t t53 = t52 / (t38 * t38 + t46 * t46);
-    const real_t t54 = t48 * t53;
-    const real_t t55 = TB_C(1000000000000.0) - start_1;
-    const real_t t56 = t27 + t55;
-    const real_t t57 = tb_max(t31 - t54, t54 - t56);
-    const bool t58 = TB_C(0.0) < t57;
-    const real_t t59 = t43 + structure[2] * t45;
-    const real_t t60 = t33 - structure[2] * t37;
-    const real_t t61 = t47 * t59 - t39 * t60;
-    const real_t t62 = t39 * t59 + t47 * t60;
-    const real_t t63 = TB_EPSILON * TB_C(16.0);
-    const real_t t64 = t50 - t27;
-    const real_t t65 = t27 + t51;
-    const real_t t66 = t46 * t59 - t38 * t60;
-    const real_t t67 = t35 + structure[3] * t37;
-    const real_t t68 = t41 - structure[3] * t45;
-    const real_t t69 = t39 * t67 - t47 * t68;
-    const real_t t70 = t39 * t68 + t47 * t67;
-    const real_t t71 = t38 * t67 - t46 * t68;
-    const real_t t72 = t27 * TB_C(2.0);
-    const real_t t73 = t27 * TB_C(1024.0);
-    real_t t74, t75, t76, t77, t78;
-    if (t58) {
-        const real_t t79 = tb_min(tb_max(t54, t30), t55);
-        const real_t t80 = t79 * (TB_C(1.0) / (t39 * t39 + t47 * t47));
-        const real_t t81 = t39 * t46 - t38 * t47;
-        const bool t82 = TB_ABS(t81) <= t63;
-        const real_t t83 = t48 * t80;
-        const real_t t84 = TB_C(1.0) / t81;
-        real_t t85, t86, t87;
-        if (t82) {
-            t85 = -TB_C(1000000000000.0);
-            t86 = TB_C(1000000000000.0);
-            t87 = TB_C(0.0);
+    const real_t t31 = TB_C(3.0) - start_1;
+    const real_t t32 = t31 - t28;
+    const real_t t33 = t9 * t16;
+    const real_t t34 = TB_C(1.0) - t9 * t33;
+    const real_t t35 = t13 * t33;
+    const real_t t36 = t10 * t33;
+    const real_t t37 = structure[2] * t34 - structure[1] * t35 - structure[3] * t36;
+    const real_t t38 = t6 * t37;
+    const real_t t39 = t4 * t38;
+    const real_t t40 = t35 + structure[1] * t38;
+    const real_t t41 = t10 * t16;
+    const real_t t42 = TB_C(1.0) - t10 * t41;
+    const real_t t43 = t13 * t41;
+    const real_t t44 = t9 * t41;
+    const real_t t45 = structure[3] * t42 - (structure[1] * t43 + structure[2] * t44);
+    const real_t t46 = t6 * t45;
+    const real_t t47 = t4 * t46;
+    const real_t t48 = t43 + structure[1] * t46;
+    const real_t t49 = t39 * t40 + t47 * t48;
+    const real_t t50 = t14 + t4 * t22;
+    const real_t t51 = TB_C(3.0) + t50;
+    const real_t t52 = t50 + TB_C(1000000000000.0);
+    const real_t t53 = tb_min(tb_max(TB_C(0.0), t51), t52);
+    const real_t t54 = t53 / tb_max(t39 * t39 + t47 * t47, TB_C(1e-30));
+    const real_t t55 = t49 * t54;
+    const real_t t56 = TB_C(1000000000000.0) - start_1;
+    const real_t t57 = t28 + t56;
+    const real_t t58 = tb_max(t32 - t55, t55 - t57);
+    const bool t59 = TB_C(0.0) < t58;
+    const real_t t60 = t44 + structure[2] * t46;
+    const real_t t61 = t34 - structure[2] * t38;
+    const real_t t62 = t48 * t60 - t40 * t61;
+    const real_t t63 = t40 * t60 + t48 * t61;
+    const real_t t64 = TB_EPSILON * TB_C(16.0);
+    const real_t t65 = t51 - t28;
+    const real_t t66 = t28 + t52;
+    const real_t t67 = t47 * t60 - t39 * t61;
+    const real_t t68 = t36 + structure[3] * t38;
+    const real_t t69 = t42 - structure[3] * t46;
+    const real_t t70 = t40 * t68 - t48 * t69;
+    const real_t t71 = t40 * t69 + t48 * t68;
+    const real_t t72 = t39 * t68 - t47 * t69;
+    const real_t t73 = t28 * TB_C(2.0);
+    const real_t t74 = t28 * TB_C(1024.0);
+    real_t t75, t76, t77, t78, t79;
+    if (t59) {
+        const real_t t80 = tb_min(tb_max(t55, t31), t56);
+        const real_t t81 = TB_C(1.0) / tb_max(t40 * t40 + t48 * t48, TB_C(1e-30));
+        const real_t t82 = t80 * t81;
+        const real_t t83 = t40 * t47 - t39 * t48;
+        const bool t84 = TB_ABS(t83) <= t64;
+        const real_t t85 = t49 * t82;
+        const real_t t86 = TB_C(1.0) / t83;
+        real_t t87, t88, t89;
+        if (t84) {
+            t87 = -TB_C(1000000000000.0);
+            t88 = TB_C(1000000000000.0);
+            t89 = TB_C(0.0);
         } else {
-            const real_t t88 = (t64 - t83) * t84;
-            const real_t t89 = t84 * (t65 - t83);
-            t85 = tb_min(t88, t89);
-            t86 = tb_max(t88, t89);
-            t87 = t72 * TB_ABS(t84);
+            const real_t t90 = (t65 - t85) * t86;
+            const real_t t91 = t86 * (t66 - t85);
+            t87 = tb_min(t90, t91);
+            t88 = tb_max(t90, t91);
+            t89 = t73 * TB_ABS(t86);
         }
-        const real_t t90 = tb_min(tb_max(TB_C(0.0), t85), t86);
-        const real_t t91 = TB_C(0.0) < TB_ABS(t90) ? t90 * (t48 * t84) : TB_C(0.0);
-        const real_t t92 = t54 < t79 ? t91 - t80 : t80 - t91;
-        const real_t t93 = t85 + t87 < t86 - t87 && t73 < t57 ? t92 : TB_C(0.0);
-        t74 = t61 * t80 + t62 * t90;
-        t75 = t80 * t69 - t90 * t70;
-        t76 = TB_C(0.0) < t92 ? t93 : TB_C(0.0);
-        t77 = t83 + t81 * t90;
-        t78 = t79;
+        const real_t t92 = tb_min(tb_max(TB_C(0.0), t87), t88);
+        const real_t t93 = TB_C(0.0) < TB_ABS(t92) ? t92 * (t49 * t86) : TB_C(0.0);
+        const real_t t94 = t55 < t80 ? t93 - t82 : t82 - t93;
+        const real_t t95 = t87 + t89 < t88 - t89 && t74 < t58 ? t94 : TB_C(0.0);
+        t75 = t62 * t82 + t63 * t92;
+        t76 = t82 * t70 - t92 * t71;
+        t77 = TB_C(0.0) < t94 ? t95 : TB_C(0.0);
+        t78 = t85 + t83 * t92;
+        t79 = t80;
     } else {
-        t74 = t53 * t66;
-        t75 = t53 * t71;
-        t76 = TB_C(0.0);
-        t77 = t52;
-        t78 = t54;
+        t75 = t54 * t67;
+        t76 = t54 * t72;
+        t77 = TB_C(0.0);
+        t78 = t53;
+        t79 = t55;
     }
-    const real_t t94 = TB_C(1000000000000.0) - start_2;
-    const real_t t95 = t27 + t94;
-    const real_t t96 = tb_max(t29 - t74, t74 - t95);
-    const bool t97 = TB_C(0.0) < t96;
-    const real_t t98 = t60 * t68;
-    const real_t t99 = t59 * t67;
-    const real_t t100 = t60 * t67 + t59 * t68;
-    real_t t101, t102, t103, t104, t105;
-    if (t97) {
-        const bool t106 = TB_ABS(t62) <= t63;
-        const real_t t107 = tb_min(tb_max(t74, t28), t94);
-        const real_t t108 = t107 * (TB_C(1.0) / (t60 * t60 + t59 * t59));
-        const real_t t109 = t61 * t108;
-        const real_t t110 = TB_C(1.0) / t62;
-        real_t t111, t112, t113;
-        if (t106) {
-            t111 = -TB_C(1000000000000.0);
-            t112 = TB_C(1000000000000.0);
-            t113 = TB_C(0.0);
+    const real_t t96 = TB_C(1000000000000.0) - start_2;
+    const real_t t97 = t28 + t96;
+    const real_t t98 = tb_max(t30 - t75, t75 - t97);
+    const bool t99 = TB_C(0.0) < t98;
+    const real_t t100 = t61 * t69;
+    const real_t t101 = t60 * t68;
+    const real_t t102 = t61 * t68 + t60 * t69;
+    real_t t103, t104, t105, t106, t107;
+    if (t99) {
+        const bool t108 = TB_ABS(t63) <= t64;
+        const real_t t109 = tb_min(tb_max(t75, t29), t96);
+        const real_t t110 = TB_C(1.0) / tb_max(t61 * t61 + t60 * t60, TB_C(1e-30));
+        const real_t t111 = t109 * t110;
+        const real_t t112 = t62 * t111;
+        const real_t t113 = TB_C(1.0) / t63;
+        real_t t114, t115, t116;
+        if (t108) {
+            t114 = -TB_C(1000000000000.0);
+            t115 = TB_C(1000000000000.0);
+            t116 = TB_C(0.0);
         } else {
-            const real_t t114 = -((t31 - t109) * t110);
-            const real_t t115 = -(t110 * (t56 - t109));
-            t111 = tb_min(t114, t115);
-            t112 = tb_max(t114, t115);
-            t113 = t72 * TB_ABS(TB_C(1.0) / -t62);
+            const real_t t117 = -((t32 - t112) * t113);
+            const real_t t118 = -(t113 * (t57 - t112));
+            t114 = tb_min(t117, t118);
+            t115 = tb_max(t117, t118);
+            t116 = t73 * TB_ABS(TB_C(1.0) / -t63);
         }
-        const real_t t116 = t46 * t60 + t38 * t59;
-        const bool t117 = TB_ABS(t116) <= t63;
-        const real_t t118 = t66 * t108;
-        const real_t t119 = TB_C(1.0) / t116;
-        real_t t120, t121, t122;
-        if (t117) {
-            t120 = -TB_C(1000000000000.0);
-            t121 = TB_C(1000000000000.0);
-            t122 = TB_C(0.0);
+        const real_t t119 = t47 * t61 + t39 * t60;
+        const bool t120 = TB_ABS(t119) <= t64;
+        const real_t t121 = t67 * t111;
+        const real_t t122 = TB_C(1.0) / t119;
+        real_t t123, t124, t125;
+        if (t120) {
+            t123 = -TB_C(1000000000000.0);
+            t124 = TB_C(1000000000000.0);
+            t125 = TB_C(0.0);
         } else {
-            const real_t t123 = -((t64 - t118) * t119);
-            const real_t t124 = -(t119 * (t65 - t118));
-            t120 = tb_min(t123, t124);
-            t121 = tb_max(t123, t124);
-            t122 = t72 * TB_ABS(TB_C(1.0) / -t116);
+            const real_t t126 = -((t65 - t121) * t122);
+            const real_t t127 = -(t122 * (t66 - t121));
+            t123 = tb_min(t126, t127);
+            t124 = tb_max(t126, t127);
+            t125 = t73 * TB_ABS(TB_C(1.0) / -t119);
         }
-        const real_t t125 = tb_min(tb_max(TB_C(0.0), tb_max(t111, t120)), tb_min(t112, t121));
-        real_t t126;
-        if (TB_C(0.0) < TB_ABS(t125)) {
-            const real_t t127 = -(t61 * t110);
-            const real_t t128 = -(t66 * t119);
-            const real_t t129 = TB_C(0.0) < t125 ? (t120 < t111 ? t127 : t128) : (t112 < t121 ?
-                t127 : t128);
-            t126 = t125 * t129;
+        const real_t t128 = tb_min(tb_max(TB_C(0.0), tb_max(t114, t123)), tb_min(t115, t124));
+        real_t t129;
+        if (TB_C(0.0) < TB_ABS(t128)) {
+            const real_t t130 = -(t62 * t113);
+            const real_t t131 = -(t67 * t122);
+            const real_t t132 = TB_C(0.0) < t128 ? (t123 < t114 ? t130 : t131) : (t115 < t124 ?
+                t130 : t131);
+            t129 = t128 * t132;
         } else {
-            t126 = TB_C(0.0);
+            t129 = TB_C(0.0);
         }
-        const real_t t130 = t74 < t107 ? t126 - t108 : t108 - t126;
-        real_t t131;
-        if (TB_C(0.0) < t130) {
-            const bool t132 = tb_max(t120 + t122, t111 + t113) < tb_min(t121 - t122, t112 -
-                t113);
-            t131 = t132 && t73 < t96 ? t130 : TB_C(0.0);
+        const real_t t133 = t75 < t109 ? t129 - t111 : t111 - t129;
+        real_t t134;
+        if (TB_C(0.0) < t133) {
+            const bool t135 = tb_max(t123 + t125, t114 + t116) < tb_min(t124 - t125, t115 -
+                t116);
+            t134 = t135 && t74 < t98 ? t133 : TB_C(0.0);
         } else {
-            t131 = TB_C(0.0);
+            t134 = TB_C(0.0);
         }
-        t101 = (t98 - t99) * t125 - t108 * t100;
-        t102 = t131;
-        t103 = t118 - t116 * t125;
-        t104 = t109 - t62 * t125;
-        t105 = t107;
+        t103 = (t100 - t101) * t128 - t111 * t102;
+        t104 = t134;
+        t105 = t121 - t119 * t128;
+        t106 = t112 - t63 * t128;
+        t107 = t109;
     } else {
-        t101 = t75;
-        t102 = t76;
-        t103 = t77;
-        t104 = t78;
-        t105 = t74;
+        t103 = t76;
+        t104 = t77;
+        t105 = t78;
+        t106 = t79;
+        t107 = t75;
     }
-    const real_t t133 = TB_C(1000000000000.0) - start_3;
-    const real_t t134 = tb_max(t23 - t27 - t101, t101 - (t27 + t133));
-    const bool t135 = TB_C(0.0) < t134;
-    real_t t136, t137, t138, t139, t140;
-    if (t135) {
-        const real_t t141 = tb_min(tb_max(t101, t23), t133);
-        const real_t t142 = t141 * (TB_C(1.0) / (t67 * t67 + t68 * t68));
-        const real_t t143 = t99 - t98;
-        const bool t144 = TB_ABS(t143) <= t63;
-        const real_t t145 = t100 * t142;
-        const real_t t146 = TB_C(1.0) / t143;
-        real_t t147, t148, t149;
-        if (t144) {
-            t147 = -TB_C(1000000000000.0);
-            t148 = TB_C(1000000000000.0);
-            t149 = TB_C(0.0);
+    const real_t t136 = TB_C(1000000000000.0) - start_3;
+    const real_t t137 = tb_max(t23 - t28 - t103, t103 - (t28 + t136));
+    const bool t138 = TB_C(0.0) < t137;
+    real_t t139, t140, t141, t142, t143;
+    if (t138) {
+        const real_t t144 = tb_min(tb_max(t103, t23), t136);
+        const real_t t145 = TB_C(1.0) / tb_max(t68 * t68 + t69 * t69, TB_C(1e-30));
+        const real_t t146 = t144 * t145;
+        const real_t t147 = t101 - t100;
+        const bool t148 = TB_ABS(t147) <= t64;
+        const real_t t149 = t102 * t146;
+        const real_t t150 = TB_C(1.0) / t147;
+        real_t t151, t152, t153;
+        if (t148) {
+            t151 = -TB_C(1000000000000.0);
+            t152 = TB_C(1000000000000.0);
+            t153 = TB_C(0.0);
         } else {
-            const real_t t150 = (t29 + t145) * t146;
-            const real_t t151 = t146 * (t95 + t145);
-            t147 = tb_min(t150, t151);
-            t148 = tb_max(t150, t151);
-            t149 = t72 * TB_ABS(t146);
+            const real_t t154 = (t30 + t149) * t150;
+            const real_t t155 = t150 * (t97 + t149);
+            t151 = tb_min(t154, t155);
+            t152 = tb_max(t154, t155);
+            t153 = t73 * TB_ABS(t150);
         }
-        const bool t152 = TB_ABS(t70) <= t63;
-        const real_t t153 = t69 * t142;
-        const real_t t154 = TB_C(1.0) / t70;
-        real_t t155, t156, t157;
-        if (t152) {
-            t155 = -TB_C(1000000000000.0);
-            t156 = TB_C(1000000000000.0);
-            t157 = TB_C(0.0);
+        const bool t156 = TB_ABS(t71) <= t64;
+        const real_t t157 = t70 * t146;
+        const real_t t158 = TB_C(1.0) / t71;
+        real_t t159, t160, t161;
+        if (t156) {
+            t159 = -TB_C(1000000000000.0);
+            t160 = TB_C(1000000000000.0);
+            t161 = TB_C(0.0);
         } else {
-            const real_t t158 = (t31 - t153) * t154;
-            const real_t t159 = t154 * (t56 - t153);
-            t155 = tb_min(t158, t159);
-            t156 = tb_max(t158, t159);
-            t157 = t72 * TB_ABS(t154);
+            const real_t t162 = (t32 - t157) * t158;
+            const real_t t163 = t158 * (t57 - t157);
+            t159 = tb_min(t162, t163);
+            t160 = tb_max(t162, t163);
+            t161 = t73 * TB_ABS(t158);
         }
-        const real_t t160 = t46 * t67 + t38 * t68;
-        const bool t161 = TB_ABS(t160) <= t63;
-        const real_t t162 = t71 * t142;
-        const real_t t163 = TB_C(1.0) / t160;
-        real_t t164, t165, t166;
-        if (t161) {
-            t164 = -TB_C(1000000000000.0);
-            t165 = TB_C(1000000000000.0);
-            t166 = TB_C(0.0);
+        const real_t t164 = t47 * t68 + t39 * t69;
+        const bool t165 = TB_ABS(t164) <= t64;
+        const real_t t166 = t72 * t146;
+        const real_t t167 = TB_C(1.0) / t164;
+        real_t t168, t169, t170;
+        if (t165) {
+            t168 = -TB_C(1000000000000.0);
+            t169 = TB_C(1000000000000.0);
+            t170 = TB_C(0.0);
         } else {
-            const real_t t167 = (t64 - t162) * t163;
-            const real_t t168 = t163 * (t65 - t162);
-            t164 = tb_min(t167, t168);
-            t165 = tb_max(t167, t168);
-            t166 = t72 * TB_ABS(t163);
+            const real_t t171 = (t65 - t166) * t167;
+            const real_t t172 = t167 * (t66 - t166);
+            t168 = tb_min(t171, t172);
+            t169 = tb_max(t171, t172);
+            t170 = t73 * TB_ABS(t167);
         }
-        const real_t t169 = tb_max(t155, t164);
-        const real_t t170 = tb_min(t156, t165);
-        const real_t t171 = tb_min(tb_max(TB_C(0.0), tb_max(t147, t169)), tb_min(t148, t170));
-        real_t t172;
-        if (TB_C(0.0) < TB_ABS(t171)) {
-            const real_t t173 = -(t100 * t146);
-            const real_t t174 = t69 * t154;
-            const real_t t175 = t71 * t163;
-            real_t t176;
-            if (TB_C(0.0) < t171) {
-                t176 = t169 < t147 ? t173 : (t164 < t155 ? t174 : t175);
+        const real_t t173 = tb_max(t159, t168);
+        const real_t t174 = tb_min(t160, t169);
+        const real_t t175 = tb_min(tb_max(TB_C(0.0), tb_max(t151, t173)), tb_min(t152, t174));
+        real_t t176;
+        if (TB_C(0.0) < TB_ABS(t175)) {
+            const real_t t177 = -(t102 * t150);
+            const real_t t178 = t70 * t158;
+            const real_t t179 = t72 * t167;
+            real_t t180;
+            if (TB_C(0.0) < t175) {
+                t180 = t173 < t151 ? t177 : (t168 < t159 ? t178 : t179);
             } else {
-                t176 = t148 < t170 ? t173 : (t156 < t165 ? t174 : t175);
+                t180 = t152 < t174 ? t177 : (t160 < t169 ? t178 : t179);
             }
-            t172 = t171 * t176;
+            t176 = t175 * t180;
         } else {
-            t172 = TB_C(0.0);
+            t176 = TB_C(0.0);
         }
-        const real_t t177 = t101 < t141 ? t172 - t142 : t142 - t172;
-        real_t t178;
-        if (TB_C(0.0) < t177) {
-            const real_t t179 = tb_max(tb_max(t164 + t166, t155 + t157), t147 + t149);
-            const real_t t180 = tb_min(tb_min(t165 - t166, t156 - t157), t148 - t149);
-            t178 = t179 < t180 && t73 < t134 ? t177 : TB_C(0.0);
+        const real_t t181 = t103 < t144 ? t176 - t146 : t146 - t176;
+        real_t t182;
+        if (TB_C(0.0) < t181) {
+            const real_t t183 = tb_max(tb_max(t168 + t170, t159 + t161), t151 + t153);
+            const real_t t184 = tb_min(tb_min(t169 - t170, t160 - t161), t152 - t153);
+            t182 = t183 < t184 && t74 < t137 ? t181 : TB_C(0.0);
         } else {
-            t178 = TB_C(0.0);
+            t182 = TB_C(0.0);
         }
-        t136 = t178;
-        t137 = t162 + t160 * t171;
-        t138 = t153 + t70 * t171;
-        t139 = t143 * t171 - t145;
-        t140 = t141;
+        t139 = t182;
+        t140 = t166 + t164 * t175;
+        t141 = t157 + t71 * t175;
+        t142 = t147 * t175 - t149;
+        t143 = t144;
     } else {
-        t136 = t102;
-        t137 = t103;
-        t138 = t104;
-        t139 = t105;
-        t140 = t101;
+        t139 = t104;
+        t140 = t105;
+        t141 = t106;
+        t142 = t107;
+        t143 = t103;
     }
-    const real_t t181 = tb_min(tb_max(t137 - t49, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t182 = tb_min(tb_max(start_1 + t138, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t183 = tb_min(tb_max(start_2 + t139, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t184 = structure[0] * t181 + structure[1] * t182 + structure[2] * t183;
-    const real_t t185 = tb_min(tb_max(start_3 + t140, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t186 = tb_max(t136, TB_ABS(t184 + structure[3] * t185 - wrench[0]));
-    const real_t t187 = structure[4] * t181 + structure[5] * t182 + structure[6] * t183;
-    const real_t t188 = tb_max(t186, TB_ABS(t187 + structure[7] * t185 - wrench[1]));
-    const bool t189 = t188 <= t26 * (t24 * (TB_EPSILON * TB_C(128.0)));
+    const real_t t185 = tb_min(tb_max(t140 - t50, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t186 = tb_min(tb_max(start_1 + t141, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t187 = tb_min(tb_max(start_2 + t142, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t188 = structure[0] * t185 + structure[1] * t186 + structure[2] * t187;
+    const real_t t189 = tb_min(tb_max(start_3 + t143, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t190 = tb_max(t139, TB_ABS(t188 + structure[3] * t189 - wrench[0]));
+    const real_t t191 = structure[4] * t185 + structure[5] * t186 + structure[6] * t187;
+    const real_t t192 = tb_max(t190, TB_ABS(t191 + structure[7] * t189 - wrench[1]));
+    const real_t t193 = TB_EPSILON * TB_C(128.0) * tb_max(tb_max(tb_max(t185, t186), t187),
+        t189);
+    const bool t194 = t192 <= t27 * t193;
     real_t tension_0, tension_1, tension_2, tension_3, kkt_residual_0;
-    if (t189) {
-        tension_0 = tb_min(t181, TB_C(10.0));
-        tension_1 = tb_min(t182, TB_C(10.0));
-        tension_2 = tb_min(t183, TB_C(10.0));
-        tension_3 = tb_min(t185, TB_C(10.0));
-        kkt_residual_0 = t188;
+    if (t194) {
+        tension_0 = tb_min(t185, TB_C(10.0));
+        tension_1 = tb_min(t186, TB_C(10.0));
+        tension_2 = tb_min(t187, TB_C(10.0));
+        tension_3 = tb_min(t189, TB_C(10.0));
+        kkt_residual_0 = t192;
     } else {
         tension_0 = TB_C(3.0);
         tension_1 = TB_C(3.0);
@@ -1381,16 +1446,17 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
         tension_3 = TB_C(3.0);
         kkt_residual_0 = TB_C(0.0);
     }
-    const bool t190 = !t189;
-    const real_t t191 = structure[0] * tension_0 + structure[1] * tension_1;
+    const bool t195 = !t194;
+    const real_t t196 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
-    const real_t delivered_0 = t191 + structure[2] * tension_2 + structure[3] * tension_3;
-    const real_t t192 = structure[4] * tension_0 + structure[5] * tension_1;
-    const real_t delivered_1 = t192 + structure[6] * tension_2 + structure[7] * tension_3;
-    const bool t193 = !(TB_EPSILON * TB_C(4096.0) < t25);
-    const bool t194 = TB_C(10.0) < t181 || TB_C(10.0) < t182 || TB_C(10.0) < t183;
-    const bool t195 = t194 || TB_C(10.0) < t185;
-    if (t193) {
+    const real_t delivered_0 = t196 + structure[2] * tension_2 + structure[3] * tension_3;
+    const real_t t197 = structure[4] * tension_0 + structure[5] * tension_1;
+    const real_t delivered_1 = t197 + structure[6] * tension_2 + structure[7] * tension_3;
+    const real_t t198 = TB_EPSILON * TB_C(4096.0);
+    const bool t199 = !(t198 < t25 && t198 < t26);
+    const bool t200 = TB_C(10.0) < t185 || TB_C(10.0) < t186 || TB_C(10.0) < t187;
+    const bool t201 = t200 || TB_C(10.0) < t189;
+    if (t199) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -1407,7 +1473,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     delivered[0] = delivered_0;
     delivered[1] = delivered_1;
     kkt_residual[0] = kkt_residual_0;
-    return (t190 || t195) ? TB_INFEASIBLE : TB_OK;
+    return (t195 || t201) ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t

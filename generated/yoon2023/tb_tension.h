@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 596562f46df7de34, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -16,10 +16,10 @@
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 7.6e-13 N; float at most 1.7e-04 N.
- *  Error of delivered: double at most 1.8e-14 N; float at most 1.1e-05 N.
- *  Error of kkt_residual: double at most 1.8e-14 N; float at most 1.1e-05 N.
- *  Cost, all branches: 132 add, 126 mul, 16 div, 1 sqrt, 34 compare, 104 select. */
+ *  Error of tension: double at most 1.1e-13 N; float at most 3.5e-04 N.
+ *  Error of delivered: double at most 2.2e-14 N; float at most 1.1e-05 N.
+ *  Error of kkt_residual: double at most 2.2e-14 N; float at most 1.1e-05 N.
+ *  Cost, all branches: 132 add, 126 mul, 16 div, 1 sqrt, 34 compare, 108 select. */
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -34,7 +34,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
  *  Error of tension: double at most 4.3e-13 N; float at most 6.9e-04 N.
  *  Error of delivered: double at most 4.3e-14 N; float at most 2.1e-05 N.
  *  Error of kkt_residual: double at most 4.3e-14 N; float at most 2.1e-05 N.
- *  Cost, all branches: 136 add, 156 mul, 17 div, 2 sqrt, 34 compare, 105 select. */
+ *  Cost, all branches: 136 add, 156 mul, 17 div, 2 sqrt, 35 compare, 109 select. */
 tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -45,7 +45,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
  *  Domain: wrench with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_INFEASIBLE: no admissible tension exerts it.
  *  Error of served: double at most 1.9e-13 N; float at most 2.6e-04 N.
- *  Cost, all branches: 100 add, 112 mul, 8 div, 38 compare, 66 select. */
+ *  Cost, all branches: 106 add, 125 mul, 8 div, 50 compare, 66 select. */
 tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[2], real_t
     served[2]);
 
@@ -56,7 +56,7 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
  *  Domain: wrench with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_INFEASIBLE: no admissible tension exerts it.
  *  Error of served: double at most 1.3e-14 N; float at most 4.9e-03 N.
- *  Cost, all branches: 84 add, 86 mul, 4 div, 28 compare, 37 select. */
+ *  Cost, all branches: 90 add, 99 mul, 4 div, 40 compare, 37 select. */
 tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrench[2], real_t
     served[2]);
 
@@ -69,10 +69,10 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
- *  Error of tension: double at most 2.8e-13 N; float at most 1.4e-04 N.
- *  Error of delivered: double at most 2.2e-13 N; float at most 1.1e-04 N.
- *  Error of kkt_residual: double at most 5.8e-12 N; float at most 2.1e-03 N.
- *  Cost, all branches: 144 add, 166 mul, 17 div, 2 sqrt, 38 compare, 114 select. */
+ *  Error of tension: double at most 6.6e-13 N; float at most 1.7e-04 N.
+ *  Error of delivered: double at most 5.1e-13 N; float at most 1.5e-04 N.
+ *  Error of kkt_residual: double at most 7.4e-10 N; float at most 1.9e-01 N.
+ *  Cost, all branches: 144 add, 166 mul, 17 div, 2 sqrt, 39 compare, 121 select. */
 tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -86,10 +86,10 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 9.7e-10 N; float at most 3.3e+00 N.
- *  Error of delivered: double at most 2.7e-13 N; float at most 1.3e-03 N.
- *  Error of kkt_residual: double at most 2.7e-13 N; float at most 3.9e-05 N.
- *  Cost, all branches: 500 add, 520 mul, 57 div, 4 sqrt, 140 compare, 379 select. */
+ *  Error of tension: double at most 7.0e-08 N; float at most 1.2e-01 N.
+ *  Error of delivered: double at most 1.1e-12 N; float at most 7.9e-05 N.
+ *  Error of kkt_residual: double at most 8.0e-13 N; float at most 5.1e-05 N.
+ *  Cost, all branches: 506 add, 533 mul, 57 div, 4 sqrt, 153 compare, 391 select. */
 tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
@@ -103,10 +103,10 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 5.3e-08 N; float at most 4.1e-01 N.
- *  Error of delivered: double at most 1.4e-13 N; float at most 5.3e-04 N.
- *  Error of kkt_residual: double at most 6.9e-14 N; float at most 5.3e-04 N.
- *  Cost, all branches: 484 add, 494 mul, 53 div, 4 sqrt, 130 compare, 350 select. */
+ *  Error of tension: double at most 1.5e-07 N; float at most 1.2e-01 N.
+ *  Error of delivered: double at most 3.2e-13 N; float at most 8.9e-03 N.
+ *  Error of kkt_residual: double at most 3.2e-13 N; float at most 5.6e-05 N.
+ *  Cost, all branches: 490 add, 507 mul, 53 div, 4 sqrt, 143 compare, 362 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t wrench[2],
     real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 

@@ -118,7 +118,7 @@ def load_tension_function(machine: Machine) -> ModelFunction:
     hand = arguments.wrench(machine, "hand_force")
     matrix, carried = structure.rows(), tension.scalars()
     surplus = [-h - w for h, w in zip(hand.scalars(), multiply(matrix, carried), strict=True)]
-    share, pivot = solve_positive(gram(matrix), surplus)
+    share, pivots = solve_positive(gram(matrix), surplus)
     load = [value + dot([row[i] for row in matrix], share) for i, value in enumerate(carried)]
     return ModelFunction(
         "load_tension",
@@ -126,7 +126,7 @@ def load_tension_function(machine: Machine) -> ModelFunction:
         "the F_h path of Yoon Fig. 11",
         (structure, tension, hand),
         (vector_output("load", "N", load, fallback=machine.tension.min),),
-        (loses_rank(pivot),),
+        (loses_rank(pivots),),
     )
 
 

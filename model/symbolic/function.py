@@ -6,7 +6,7 @@ from enum import IntEnum
 
 import casadi as ca
 
-from model.symbolic.scalar import Matrix, Scalar, Vector
+from model.symbolic.scalar import Matrix, Scalar, Vector, all_of
 
 
 class Status(IntEnum):
@@ -82,6 +82,12 @@ class Verdict:
     def is_fault(self) -> bool:
         """Whether the outputs must not be used."""
         return self.status is not Status.INFEASIBLE
+
+
+def not_all_above(values: Vector, least: Scalar, meaning: str) -> Verdict:
+    """TB_SINGULAR unless every value is known to exceed a limit; a NaN never is."""
+    exceeds = all_of([value > least for value in values])
+    return Verdict(ca.logic_not(exceeds), Status.SINGULAR, meaning)
 
 
 @dataclass(frozen=True)

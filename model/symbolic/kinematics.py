@@ -7,9 +7,9 @@ from model.symbolic import arguments
 from model.symbolic.function import (
     Label,
     ModelFunction,
-    Status,
     Verdict,
     matrix_output,
+    not_all_above,
     scalar_output,
     vector_output,
 )
@@ -23,7 +23,7 @@ from model.symbolic.linear import (
     subtract,
     transpose,
 )
-from model.symbolic.scalar import Matrix, Scalar, Vector, any_of, smallest, total
+from model.symbolic.scalar import Matrix, Scalar, Vector, total
 
 #: A platform nearer than this to a pulley touches it [m]: the direction of the cable is lost.
 CONTACT_DISTANCE = 1e-4
@@ -82,16 +82,13 @@ def jacobian(values: Vector, symbols: ca.SX) -> Matrix:
 
 def touches_a_pulley(lengths: Vector) -> Verdict:
     """The platform is so near a pulley that the cable has no direction."""
-    return Verdict(
-        any_of([length < CONTACT_DISTANCE for length in lengths]),
-        Status.SINGULAR,
-        f"the platform is nearer than {CONTACT_DISTANCE * 1e3:g} mm to a pulley",
-    )
+    meaning = f"the platform is nearer than {CONTACT_DISTANCE * 1e3:g} mm to a pulley"
+    return not_all_above(lengths, CONTACT_DISTANCE, meaning)
 
 
-def loses_rank(pivot: Scalar) -> Verdict:
+def loses_rank(pivots: Vector) -> Verdict:
     """All cables pull along (nearly) one line."""
-    return Verdict(pivot < SMALLEST_PIVOT, Status.SINGULAR, "the cables are parallel")
+    return not_all_above(pivots, SMALLEST_PIVOT, "the cables are parallel")
 
 
 def base_points_function(machine: Machine) -> ModelFunction:
@@ -202,20 +199,20 @@ def task_velocity_function(machine: Machine) -> ModelFunction:
     for rate, (number, slope) in zip(rail_rates.scalars(), rail_slopes(machine, rays), strict=True):
         closing[number] = closing[number] - slope * rate
     columns = transpose(rays)
-    velocity, pivot = solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
+    velocity, pivots = solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
     return ModelFunction(
         "task_velocity",
         "Platform velocity: least squares over the unit rows of dl/dx xdot = ldot - dl/ds sdot",
         "Yoon eq. 6, 20 with normalised rows",
         (pose, rails, length_rates, rail_rates),
         (vector_output("velocity", "m/s", velocity),),
-        (touches_a_pulley(lengths), loses_rank(pivot)),
+        (touches_a_pulley(lengths), loses_rank(pivots)),
         (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
     )
 
 
-def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Scalar]:
-    """Position from distances, closed form; returns (position [m], smallest pivot [m^2]).
+def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Vector]:
+    """Position from distances, closed form; returns (position [m], pivots [m^2]).
 
     |b_i|^2 - 2 b_i.c + |c|^2 = l_i^2 minus its mean over the cables is linear in c, for any bases.
     """
@@ -226,8 +223,8 @@ def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Scalar]:
     mean = total(squares) / count
     columns = transpose(arms)
     right = [x / 2 for x in multiply(columns, [square - mean for square in squares])]
-    offset, pivot = solve_positive(gram(columns), right)
-    return [a + b for a, b in zip(centre, offset, strict=True)], pivot
+    offset, pivots = solve_positive(gram(columns), right)
+    return [a + b for a, b in zip(centre, offset, strict=True)], pivots
 
 
 def gauss_newton_step(points: Matrix, lengths: Vector, pose: Vector) -> tuple[Vector, Vector]:
@@ -247,10 +244,8 @@ def forward_kinematics_function(machine: Machine) -> ModelFunction:
     pose, distances = gauss_newton_step(points, lengths.scalars(), start)
     misfit = subtract(lengths.scalars(), [norm(subtract(point, pose)) for point in points])
     smallest_spread = (1e-4 * max(machine.frame.size)) ** 2
-    collinear = Verdict(spread < smallest_spread, Status.SINGULAR, "the bases lie on one line")
-    at_pulley = Verdict(
-        smallest(distances) < CONTACT_DISTANCE, Status.SINGULAR, "the platform is at a pulley"
-    )
+    collinear = not_all_above(spread, smallest_spread, "the bases lie on one line")
+    at_pulley = not_all_above(distances, CONTACT_DISTANCE, "the platform is at a pulley")
     return ModelFunction(
         "forward_kinematics",
         "Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit",

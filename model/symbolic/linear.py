@@ -48,8 +48,8 @@ def gram(matrix: Matrix) -> Matrix:
     return [[dot(a, b) for b in matrix] for a in matrix]
 
 
-def solve_positive(matrix: Matrix, right: Sequence[Scalar]) -> tuple[Vector, Scalar]:
-    """Solve a symmetric positive definite system by L D L'; returns (solution, smallest pivot)."""
+def solve_positive(matrix: Matrix, right: Sequence[Scalar]) -> tuple[Vector, Vector]:
+    """Solve a symmetric positive definite system by L D L'; returns (solution, pivots)."""
     size = len(right)
     lower: Matrix = [[ca.SX(0)] * size for _ in range(size)]
     pivots: Vector = []
@@ -71,10 +71,7 @@ def solve_positive(matrix: Matrix, right: Sequence[Scalar]) -> tuple[Vector, Sca
     for i in reversed(range(size)):
         for k in range(i + 1, size):
             solution[i] = solution[i] - lower[k][i] * solution[k]
-    smallest_pivot = pivots[0]
-    for pivot in pivots[1:]:
-        smallest_pivot = ca.fmin(smallest_pivot, pivot)
-    return solution, smallest_pivot
+    return solution, pivots
 
 
 @dataclass(frozen=True)
@@ -118,12 +115,9 @@ class Factorisation:
             forward.append(value / self.triangle[i][i])
         return self.apply(forward + [ca.SX(0)] * (self.size - rank))
 
-    def smallest_pivot(self) -> Scalar:
-        """Least magnitude on the diagonal of R: zero where S loses rank."""
-        pivot = ca.fabs(self.triangle[0][0])
-        for i in range(1, len(self.reflectors)):
-            pivot = ca.fmin(pivot, ca.fabs(self.triangle[i][i]))
-        return pivot
+    def pivots(self) -> Vector:
+        """Magnitudes on the diagonal of R: one of them is zero where S loses rank."""
+        return [ca.fabs(self.triangle[i][i]) for i in range(len(self.reflectors))]
 
 
 def factorise(matrix: Matrix) -> Factorisation:

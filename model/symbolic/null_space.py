@@ -21,15 +21,15 @@ class NullSpace:
 
     start: Vector
     space: Space
-    pivot: Scalar
+    pivots: Vector
     labels: tuple[Label, ...] = ()
 
 
 def factored(matrix: Matrix, wrench: Vector) -> NullSpace:
-    """By Householder QR of S': any d and n; the pivot is the least on the diagonal of R."""
+    """By Householder QR of S': any d and n; the pivots are on the diagonal of R."""
     factors = factorise(matrix)
     rows = factors.null_space()
-    return NullSpace(factors.least_norm(wrench), space_of(rows), factors.smallest_pivot())
+    return NullSpace(factors.least_norm(wrench), space_of(rows), factors.pivots())
 
 
 #: Cables (i, k) and the two others (l, m), ordered so that n_i x n_k = s_l x s_m / sqrt(det S S').
@@ -63,7 +63,7 @@ def crossed(matrix: Matrix, wrench: Vector) -> NullSpace:
     pairs = [Label(f"cross_{i}{k}", [crosses[i][k]]) for i, k in _COMPLEMENTS]
     height = Label("height", heights, "s_i x W")
     whole = Label("determinant", [determinant], "det S S', Cauchy-Binet")
-    return NullSpace(start, plane, sqrt(determinant) / 2, (*pairs, height, whole))
+    return NullSpace(start, plane, [sqrt(determinant) / 2], (*pairs, height, whole))
 
 
 def crossed_shares(crosses: Matrix, squares: dict[tuple[int, int], Scalar]) -> Matrix:

@@ -16,6 +16,8 @@ from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, smalle
 
 #: Stands for an interval end that is not there; far beyond any tension, safe in single precision.
 UNBOUNDED = 1e12
+#: Stands for the length of a normal that is zero: a tension that nothing can shift.
+NOTHING = 1e-30
 #: Lines whose normals differ by no more than this many EPSILON count as parallel.
 PARALLEL = 16.0
 
@@ -126,7 +128,7 @@ class Plane:
     def moved(self, slabs: Slabs, number: int, level: Scalar) -> Nearest:
         """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
         side = clamp(level, slabs.low[number], slabs.high[number])
-        height = side / self.shares[number][number]
+        height = side / ca.fmax(self.shares[number][number], NOTHING)
         position, multiplier, free = self.slide(slabs, number, height)
         shift = [
             share * height + slope * position
@@ -170,7 +172,7 @@ class Polyhedron:
         """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
         normal = self.rows[number]
         side = clamp(level, slabs.low[number], slabs.high[number])
-        height = side / dot(normal, normal)
+        height = side / ca.fmax(dot(normal, normal), NOTHING)
         foot = [dot(row, normal) * height for row in self.rows]
         across = factorise([normal]).null_space()
         rest = space_of([multiply(transpose(across), row) for row in self.rows])

@@ -74,7 +74,7 @@ def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
     rig = Rig(machine)
     rest, outside = rig.at_rest(), rig.outside()
     tension = [where(outside.condition, machine.tension.min, value) for value in rest.tension]
-    limit = rounding(KKT_TOLERANCE, rig.zero, rig.space, *rig.bounds)
+    limit = rounding(KKT_TOLERANCE, ca.SX(machine.tension.max), rig.space)
     inaccurate = Verdict(
         ca.logic_not(ca.logic_or(outside.condition, rest.kkt_residual <= limit)),
         Status.INACCURATE,

@@ -19,6 +19,7 @@ from model.symbolic.function import (
     Retry,
     Status,
     Verdict,
+    not_all_above,
     scalar_output,
     vector_output,
 )
@@ -32,6 +33,7 @@ from model.symbolic.scalar import (
     any_of,
     clamp,
     largest,
+    smallest,
     total,
     where,
 )
@@ -59,10 +61,11 @@ def least_norm_tension(
 ) -> Solution:
     """The tension of least norm that exerts a feasible wrench; `high` None means unbounded."""
     top = ca.SX(UNBOUNDED) if high is None else ca.SX(high)
+    magnitude = total([ca.fabs(x) for x in wrench])
     slabs = Slabs(
         [low - x for x in space.start],
         [top - x for x in space.start],
-        rounding(SLACK, wrench, space, low, high),
+        rounding(SLACK, ca.SX(high) if high is not None else low + magnitude, space),
     )
     best = space.space.nearest(slabs, len(space.start))
     tension = [
@@ -73,14 +76,11 @@ def least_norm_tension(
     return Solution(tension, delivered, largest([best.misfit, *misses]))
 
 
-def rounding(
-    units: float, wrench: Vector, space: NullSpace, low: float, high: float | None
-) -> Scalar:
-    """So many EPSILON of the tensions at hand, more where S is nearly singular [N]."""
-    scale = high if high is not None else low + total([ca.fabs(x) for x in wrench])
+def rounding(units: float, scale: Scalar, space: NullSpace) -> Scalar:
+    """So many EPSILON of a scale of tensions, more where S is nearly singular [N]."""
     # Every dimension beyond two nests the solver once more, and rounds once more.
-    nested = 4 ** max(0, len(space.start) - len(wrench) - 2)
-    return units * nested * EPSILON * scale / space.pivot
+    nested = 4 ** max(0, len(space.start) - len(space.pivots) - 2)
+    return units * nested * EPSILON * scale / smallest(space.pivots)
 
 
 Policy = Callable[[WrenchSet, Vector], Vector]
@@ -117,9 +117,8 @@ def least_norm_function(
     low, high = machine.tension.min, machine.tension.max
     space = method(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, high)
-    missed = ca.logic_not(
-        solution.kkt_residual <= rounding(KKT_TOLERANCE, wanted, space, low, high)
-    )
+    limit = rounding(KKT_TOLERANCE, ca.SX(high), space)
+    missed = ca.logic_not(solution.kkt_residual <= limit)
     return ModelFunction(
         name,
         f"Tensions of least norm within their bounds that exert a wrench{remark}",
@@ -164,7 +163,7 @@ def paper_function(machine: Machine) -> ModelFunction:
     low, high = machine.tension.min, machine.tension.max
     space = factored(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, None)
-    solved = solution.kkt_residual <= rounding(KKT_TOLERANCE, wanted, space, low, None)
+    solved = solution.kkt_residual <= rounding(KKT_TOLERANCE, largest(solution.tension), space)
     clipped = [where(solved, ca.fmin(value, high), low) for value in solution.tension]
     exceeds = any_of([value > high for value in solution.tension])
     answer = Solution(clipped, multiply(matrix, clipped), where(solved, solution.kkt_residual, 0))
@@ -208,7 +207,7 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
 def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
     limit = RANK_TOLERANCE * EPSILON
-    return Verdict(ca.logic_not(space.pivot > limit), Status.SINGULAR, "the cables are parallel")
+    return not_all_above(space.pivots, limit, "the cables are parallel")
 
 
 def functions(machine: Machine) -> list[ModelFunction]:

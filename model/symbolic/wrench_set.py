@@ -10,7 +10,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from model.symbolic.function import EPSILON
 from model.symbolic.linear import add_scaled, cross, dot, subtract
+from model.symbolic.polytope import PARALLEL
 from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, clamp, smallest, total, where
 
 #: Larger than any squared distance in the wrench space, N^2; safe in single precision.
@@ -104,9 +106,13 @@ class WrenchSet:
 
     def leans_up(self, number: int, other: int) -> Scalar:
         """Whether tension in `other` raises s_number x W; order tells parallel cables apart."""
-        if number < other:
-            return self.crosses[number][other] >= 0
-        return self.crosses[number][other] > 0
+        slant = self.crosses[number][other]
+        same_way = dot(self.columns[number], self.columns[other]) > 0
+        in_order = same_way if number < other else ca.logic_not(same_way)
+        parallel = ca.fabs(slant) <= PARALLEL * EPSILON
+        return ca.logic_or(
+            ca.logic_and(parallel, in_order), ca.logic_and(ca.logic_not(parallel), slant > 0)
+        )
 
 
 def wrench_set(columns: Matrix, low: float, high: float) -> WrenchSet:
