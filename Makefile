@@ -69,7 +69,7 @@ test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n 2 --dist worksteal $(TEST_FOLDERS)
 
 bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
-	$(VENV)/bin/python -m lab.bench
+	$(VENV)/bin/python -m lab.benchmark
 
 lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
 	$(VENV)/bin/ruff check .

@@ -26,7 +26,7 @@ def pinned_names(lock: str) -> set[str]:
 
 def wanted_names() -> set[str]:
     lines = (ROOT / "requirements.in").read_text().splitlines()
-    return {re.split("[=<>~]", line)[0] for line in lines if line and not line.startswith("#")}
+    return {re.split("[=<>~ ]", line)[0] for line in lines if line and not line.startswith("#")}
 
 
 def test_the_lock_holds_only_pins_with_hashes() -> None:

@@ -1,0 +1,130 @@
+"""The benchmark's results, for a person and for a program."""
+
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from lab.benchmark.cortex_m4.comparison import CountRow
+from lab.benchmark.step.comparison import StepRow
+from lab.benchmark.targets import Target
+from lab.benchmark.tension import Row, TensionTable
+
+OURS = "turnbuckle"
+COUNTED = (
+    "turnbuckle: bounds, status and self-check included; CasADi as documented: casadi_real=float;"
+    " CasADi remapped: its double names and constants made float by hand; SymPy: float32 and cse;"
+    " SymPy own Pow: powers printed as products by hand"
+)
+
+
+@dataclass(frozen=True)
+class Results:
+    """Everything one run measured."""
+
+    machine: str
+    tension: list[TensionTable]
+    step: list[StepRow]
+    cortex_m4: list[CountRow]
+    targets: list[Target]
+
+
+def write_json(results: Results, path: Path) -> None:
+    """All numbers; times in ns, errors in SI units."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(asdict(results), indent=1) + "\n")
+
+
+def show(results: Results, console: Console) -> None:
+    """Print every table; the ratios are peer / ours, of least times."""
+    for table in results.tension:
+        console.print(tension_table(table))
+    console.print(step_table(results.step))
+    console.print(count_table(results.cortex_m4))
+    console.print(target_table(results.targets))
+
+
+def tension_table(table: TensionTable) -> Table:
+    """One set of tension problems."""
+    view = new_table(
+        f"Tension solve, {table.problems}: {table.feasible} of {table.count} feasible",
+        ("name", "least ns", "median ns", "ratio", "max |dT| N", "missed", "invented"),
+        notes(table.rows),
+    )
+    for row in table.rows:
+        timing, agreement = row.timing, row.agreement
+        view.add_row(
+            row.name,
+            f"{timing.least:.0f}",
+            f"{timing.median:.0f}",
+            f"{table.ratio(row.name):.2f}",
+            f"{agreement.error:.1e}",
+            str(agreement.missed),
+            str(agreement.invented),
+        )
+    return view
+
+
+def step_table(rows: Sequence[StepRow]) -> Table:
+    """The whole controller step on the host."""
+    columns = ("name", "least ns", "median ns", "ratio", "|dtorque| N m", "|dforce| N")
+    view = new_table("Controller step, double, this host", columns, notes(rows))
+    ours = rows[0].timing.least
+    for row in rows:
+        view.add_row(
+            row.name,
+            f"{row.timing.least:.0f}",
+            f"{row.timing.median:.0f}",
+            f"{row.timing.least / ours:.2f}",
+            f"{row.torque_error:.1e}",
+            f"{row.force_error:.1e}",
+        )
+    return view
+
+
+def count_table(rows: Iterable[CountRow]) -> Table:
+    """Instructions on the microcontroller."""
+    columns = ("function", "generator", "mean", "most", "ratio", "max error")
+    view = new_table("Cortex-M4F, float, instructions per call", columns, COUNTED)
+    ours = 1.0
+    for row in rows:
+        is_ours = row.generator == OURS
+        ours = row.mean if is_ours else ours
+        view.add_row(
+            row.function if is_ours else "",
+            row.generator,
+            f"{row.mean:.0f}",
+            f"{row.most:.0f}",
+            f"{row.mean / ours:.2f}",
+            f"{row.error:.1e}",
+        )
+    return view
+
+
+def target_table(targets: Iterable[Target]) -> Table:
+    """What was promised."""
+    view = new_table("Promised: times faster than", ("what", "wanted", "measured", ""))
+    for target in targets:
+        verdict = "met" if target.is_met else "missed"
+        view.add_row(target.what, f"{target.wanted:g}", f"{target.measured:.2f}", verdict)
+    return view
+
+
+def notes(rows: Iterable[Row] | Iterable[StepRow]) -> str:
+    """What every program of a table includes."""
+    return "; ".join(f"{row.name}: {row.note}" for row in rows)
+
+
+def new_table(title: str, columns: Sequence[str], caption: str = "") -> Table:
+    """A table whose numbers stand to the right."""
+    view = Table(
+        title=title, box=SIMPLE_HEAD, caption=caption, title_justify="left", caption_justify="left"
+    )
+    for column in columns:
+        is_text = column in ("name", "function", "generator", "what", "")
+        view.add_column(column, justify="left" if is_text else "right", no_wrap=True)
+    return view

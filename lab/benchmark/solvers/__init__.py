@@ -1,0 +1,1 @@
+"""One file a solver of the tension problem, all of the same form."""

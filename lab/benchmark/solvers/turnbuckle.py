@@ -1,0 +1,16 @@
+"""Ours: the generated tb_distribute_tension, as shipped, with its self-check and its policy."""
+
+from pathlib import Path
+
+from lab.benchmark.native import BUILD, OUR_FLAGS, compile_object
+from lab.benchmark.solvers.solver import Solver, adapter, c_solver
+
+
+def turnbuckle(generated: Path) -> Solver:
+    """The solver of one machine's generated folder."""
+    flags = (*OUR_FLAGS, f"-I{generated}")
+    objects = [
+        adapter("turnbuckle", flags),
+        compile_object(generated / "tb_tension.c", BUILD / "tb_tension.o", flags),
+    ]
+    return c_solver("turnbuckle", "status, policy and KKT check included", objects)
