@@ -57,9 +57,11 @@ build: $(SETUP) $(LIBRARIES) ## compile generated and runtime C of every machine
 
 .SECONDEXPANSION:
 build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch] runtime/core/*.[ch]) Makefile
-	@mkdir -p $(@D)
-	cd $(@D) && rm -f *.o && $(CC_$(*F)) -c -I$(CURDIR)/generated/$(*D) -I$(CURDIR)/runtime/core \
-	  $(addprefix $(CURDIR)/,$(filter %.c,$^))
+	@echo "build $*"
+	@rm -rf $(@D) && mkdir -p $(@D)
+	@for file in $(filter %.c,$^); do \
+	  $(CC_$(*F)) -Igenerated/$(*D) -Iruntime/core -c $$file -o $(@D)/$$(basename $$file .c).o; \
+	done
 	@ar rcs $@ $(@D)/*.o
 
 demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
