@@ -23,6 +23,7 @@ from model.machine import Machine
 from model.reference import control, kinematics, quality, statics, tension
 from model.reference.planar import Array as Wide
 from model.reference.planar import minors, norm
+from model.reference.wrench_set import slabs
 from model.symbolic.function import Status
 from model.symbolic.kinematics import CONTACT_DISTANCE, SMALLEST_PIVOT
 from model.symbolic.tension import KKT_TOLERANCE, RANK_TOLERANCE
@@ -223,6 +224,18 @@ def task_velocity(p: Problem) -> Expected:
     return expected(p, {"velocity": velocity}, {"velocity": slack}, allowed)
 
 
+def velocity_from_structure(p: Problem) -> Expected:
+    """As task_velocity, with directions that are given and not rounded."""
+    arguments = (p["structure"], p["length_rates"], p["rail_rates"])
+    velocity = kinematics.velocity_from_structure(p.machine, *arguments)
+    pivot = least_pivot(np.swapaxes(p["structure"], -1, -2))
+    lost = below(pivot, SMALLEST_PIVOT, ROUNDINGS * p.epsilon)
+    rates = norm(p["length_rates"]) + norm(p["rail_rates"]) + norm(velocity)
+    slack = ROUNDINGS * p.epsilon * rates / np.maximum(pivot, SMALLEST_PIVOT / 2)
+    allowed = statuses(p.count, {Status.OK: always(p.count)}, {Status.SINGULAR: lost})
+    return expected(p, {"velocity": velocity}, {"velocity": slack}, allowed)
+
+
 def forward_kinematics(p: Problem) -> Expected:
     """The closed form loses what the spread of the bases does; the step returns all but a square of
     that, and loses what the pivot of the directions does."""
@@ -330,7 +343,7 @@ def amplification(structure: Wide, tension: Wide, low: float, high: float) -> Wi
     or at a vertex fewer than two are free, and a rounding inwards frees another one: one over the
     sine of the least angle that a pair of cables, with the free one where there is one, makes.
     """
-    off = 1e-9 * high
+    off = 1e-9 * max(low, 1e-9)
     free = (tension > low + off) & (tension < high - off)
     count = np.sum(free, axis=-1)
     columns = np.swapaxes(structure, -1, -2)
@@ -343,26 +356,58 @@ def amplification(structure: Wide, tension: Wide, low: float, high: float) -> Wi
 
 
 def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
-    """The reference's distribution, and those with bounds a hair wider and tighter."""
-    machine = p.machine
-    relative = TENSION_ROUNDINGS * p.epsilon
+    """The reference's distribution, and those with bounds a hair wider and tighter.
+
+    Moved bounds show what rounding does at borders; twice that is allowed.
+    """
+    machine, relative = p.machine, TENSION_ROUNDINGS * p.epsilon
+    bounds = machine.tension
     answer = tension.distribute_tension(machine, structure, wrench, policy)
     wide, tight = (
         tension.distribute_tension(with_bounds(machine, sign * relative), structure, wrench, policy)
         for sign in (1, -1)
     )
-    feasible, infeasible = verdicts(machine, relative, structure, wrench, policy)
-    gain = amplification(structure, answer.tension, machine.tension.min, machine.tension.max)
+    judge = paper_verdicts if policy == "paper" else verdicts
+    feasible, infeasible = judge(machine, p.epsilon, structure, wrench)
+    gain = amplification(structure, answer.tension, bounds.min, bounds.max)
     moved = [np.maximum(np.abs(a - b), np.abs(c - b)) for a, b, c in _pairs(wide, answer, tight)]
     size = norm(wrench) + np.sum(answer.tension, axis=-1)
+    served = ROUNDINGS * p.epsilon * size
+    if policy == "closest":
+        served = served + infeasible * corner_slack(p, wrench, answer)
+    if policy == "scale":
+        # the ray meets the border of a flat set at a small angle
+        served = served + infeasible * tolerated(machine, p.epsilon, structure)
+    own = relative * bounds.max * gain
+    if policy != "paper":
+        served = served + (feasible & infeasible) * tolerated(machine, p.epsilon, structure)
     return Bounded(
         answer.tension,
         answer.delivered,
-        (relative * machine.tension.max * gain)[:, None] + moved[0],
-        (ROUNDINGS * p.epsilon * size)[:, None] + np.where(infeasible[:, None], moved[1], 0),
+        (own + served * gain)[:, None] + 2 * moved[0],
+        served[:, None] + np.where(infeasible[:, None], 2 * moved[1], 0),
         feasible,
         infeasible,
     )
+
+
+def corner_slack(p: Problem, wrench: Wide, answer: Any) -> Wide:
+    """How far beside the nearest point of a polygon rounding may find it, near a corner.
+
+    Two points of it that are sqrt(epsilon) of the distance apart are equally near up to rounding.
+    """
+    bounds, away = p.machine.tension, norm(answer.delivered - wrench)
+    reach = 8 * np.sqrt(p.epsilon) * away
+    room = np.minimum(answer.tension - bounds.min, bounds.max - answer.tension)
+    moving = np.max(room, axis=-1)
+    return np.asarray(np.where(moving <= reach, reach, 0))
+
+
+def tolerated(machine: Machine, epsilon: float, structure: Wide) -> Wide:
+    """How far outside the set a wrench (count) [N] may be that the C's own check lets pass."""
+    least = smallest_singular_value(np.swapaxes(structure, -1, -2))
+    most = RANK_FACTOR * KKT_TOLERANCE * epsilon * machine.tension.max
+    return np.asarray(most / np.maximum(np.minimum(least, 1), RANK_TOLERANCE * epsilon))
 
 
 def _pairs(wide: Any, answer: Any, tight: Any) -> list[tuple[Wide, Wide, Wide]]:
@@ -373,20 +418,32 @@ def _pairs(wide: Any, answer: Any, tight: Any) -> list[tuple[Wide, Wide, Wide]]:
 
 
 def verdicts(
-    machine: Machine, relative: float, structure: Wide, wrench: Wide, policy: str
+    machine: Machine, epsilon: float, structure: Wide, wrench: Wide
 ) -> tuple[Bools, Bools]:
     """Where a wrench may count as feasible, and where as infeasible."""
-    may = []
-    for sign in (1, -1):
-        moved = with_bounds(machine, sign * relative)
-        if policy == "paper":
-            bounds = moved.tension
-            free = tension.minimum_norm_tension(structure, wrench, bounds.min, np.inf)
-            may.append(free.solved & np.all(free.tension <= bounds.max, axis=-1))
-        else:
-            may.append(tension.wrench_feasible(moved, structure, wrench))
-    # the paper's verdict is not monotonous in the lower bound
-    return may[0] | may[1], ~(may[0] & may[1])
+    normals, middle, half_width = slabs(machine, structure)
+    along = np.sum(normals * wrench[:, None, :], axis=-1)
+    inside = np.min(half_width - np.abs(along - middle), axis=-1)
+    slack = tolerated(machine, epsilon, structure)
+    return inside >= -slack, inside <= ROUNDINGS * epsilon * machine.tension.max
+
+
+def paper_verdicts(
+    machine: Machine, epsilon: float, structure: Wide, wrench: Wide
+) -> tuple[Bools, Bools]:
+    """The same for Yoon eqs 22 and 23: it has no solution, or one that is clipped."""
+    high, relative = machine.tension.max, TENSION_ROUNDINGS * epsilon
+    solved = [
+        tension.minimum_norm_tension(structure, wrench, machine.tension.min - shift * high, np.inf)
+        for shift in (0.0, relative, -relative)
+    ]
+    gain = amplification(structure, solved[0].tension, machine.tension.min, np.inf)
+    slack = (relative * (high + norm(wrench)) * gain)[:, None]
+    fits = np.all(solved[0].tension <= high + slack, axis=-1)
+    exceeds = np.any(solved[0].tension >= high - slack, axis=-1)
+    ever = np.logical_or.reduce([s.solved for s in solved])
+    always_solved = np.logical_and.reduce([s.solved for s in solved])
+    return ever & fits, ~always_solved | exceeds
 
 
 def rank(p: Problem, structure: Wide) -> tuple[Wide, tuple[Bools, Bools]]:
@@ -562,6 +619,7 @@ JUDGES: dict[str, Judge] = {
     "length_jacobian": length_jacobian,
     "rail_jacobian": rail_jacobian,
     "task_velocity": task_velocity,
+    "velocity_from_structure": velocity_from_structure,
     "forward_kinematics": forward_kinematics,
     "wrench": wrench,
     "rail_forces": rail_forces,

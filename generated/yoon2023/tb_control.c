@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
@@ -25,8 +25,7 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
 
 tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t force[2])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(velocity[0]) + TB_ABS(velocity[1]) <= TB_C(200.0))) {
         force[0] = TB_C(0.0);
         force[1] = TB_C(0.0);
@@ -95,8 +94,7 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
 
 tb_status tb_base_targets(const real_t pose[2], real_t target[4])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472))) {
         target[0] = TB_C(0.0);
         target[1] = TB_C(0.0);
         target[2] = TB_C(0.0);
@@ -115,26 +113,14 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4])
 tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
     measured[4], real_t next_memory[12], real_t force[4])
 {
-    if (!(memory[0] >= -TB_C(1000000.0) && memory[0] <= TB_C(1000000.0)
-          && memory[1] >= -TB_C(1000000.0) && memory[1] <= TB_C(1000000.0)
-          && memory[2] >= -TB_C(1000000.0) && memory[2] <= TB_C(1000000.0)
-          && memory[3] >= -TB_C(1000000.0) && memory[3] <= TB_C(1000000.0)
-          && memory[4] >= -TB_C(1000000.0) && memory[4] <= TB_C(1000000.0)
-          && memory[5] >= -TB_C(1000000.0) && memory[5] <= TB_C(1000000.0)
-          && memory[6] >= -TB_C(1000000.0) && memory[6] <= TB_C(1000000.0)
-          && memory[7] >= -TB_C(1000000.0) && memory[7] <= TB_C(1000000.0)
-          && memory[8] >= -TB_C(1000000.0) && memory[8] <= TB_C(1000000.0)
-          && memory[9] >= -TB_C(1000000.0) && memory[9] <= TB_C(1000000.0)
-          && memory[10] >= -TB_C(1000000.0) && memory[10] <= TB_C(1000000.0)
-          && memory[11] >= -TB_C(1000000.0) && memory[11] <= TB_C(1000000.0)
-          && target[0] >= -TB_C(0.7118) && target[0] <= TB_C(1.4236)
-          && target[1] >= -TB_C(0.4618) && target[1] <= TB_C(0.9236)
-          && target[2] >= -TB_C(0.7118) && target[2] <= TB_C(1.4236)
-          && target[3] >= -TB_C(0.4618) && target[3] <= TB_C(0.9236)
-          && measured[0] >= -TB_C(0.7118) && measured[0] <= TB_C(1.4236)
-          && measured[1] >= -TB_C(0.4618) && measured[1] <= TB_C(0.9236)
-          && measured[2] >= -TB_C(0.7118) && measured[2] <= TB_C(1.4236)
-          && measured[3] >= -TB_C(0.4618) && measured[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(memory[0]) + TB_ABS(memory[1]) + TB_ABS(memory[2]) + TB_ABS(memory[3]) +
+              TB_ABS(memory[4]) + TB_ABS(memory[5]) + TB_ABS(memory[6]) + TB_ABS(memory[7]) +
+              TB_ABS(memory[8]) + TB_ABS(memory[9]) + TB_ABS(memory[10]) + TB_ABS(memory[11])
+              <= TB_C(12000000.0)
+          && TB_ABS(target[0]) + TB_ABS(target[1]) + TB_ABS(target[2]) + TB_ABS(target[3]) <=
+              TB_C(5.6944)
+          && TB_ABS(measured[0]) + TB_ABS(measured[1]) + TB_ABS(measured[2]) +
+              TB_ABS(measured[3]) <= TB_C(5.6944))) {
         next_memory[0] = TB_C(0.0);
         next_memory[1] = TB_C(0.0);
         next_memory[2] = TB_C(0.0);
@@ -205,26 +191,12 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
 tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
     load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4])
 {
-    if (!(memory[0] >= -TB_C(1000000.0) && memory[0] <= TB_C(1000000.0)
-          && memory[1] >= -TB_C(1000000.0) && memory[1] <= TB_C(1000000.0)
-          && memory[2] >= -TB_C(1000000.0) && memory[2] <= TB_C(1000000.0)
-          && memory[3] >= -TB_C(1000000.0) && memory[3] <= TB_C(1000000.0)
-          && memory[4] >= -TB_C(1000000.0) && memory[4] <= TB_C(1000000.0)
-          && memory[5] >= -TB_C(1000000.0) && memory[5] <= TB_C(1000000.0)
-          && memory[6] >= -TB_C(1000000.0) && memory[6] <= TB_C(1000000.0)
-          && memory[7] >= -TB_C(1000000.0) && memory[7] <= TB_C(1000000.0)
-          && memory[8] >= -TB_C(1000000.0) && memory[8] <= TB_C(1000000.0)
-          && memory[9] >= -TB_C(1000000.0) && memory[9] <= TB_C(1000000.0)
-          && memory[10] >= -TB_C(1000000.0) && memory[10] <= TB_C(1000000.0)
-          && memory[11] >= -TB_C(1000000.0) && memory[11] <= TB_C(1000000.0)
-          && memory[12] >= -TB_C(1000000.0) && memory[12] <= TB_C(1000000.0)
-          && memory[13] >= -TB_C(1000000.0) && memory[13] <= TB_C(1000000.0)
-          && memory[14] >= -TB_C(1000000.0) && memory[14] <= TB_C(1000000.0)
-          && memory[15] >= -TB_C(1000000.0) && memory[15] <= TB_C(1000000.0)
-          && memory[16] >= -TB_C(1000000.0) && memory[16] <= TB_C(1000000.0)
-          && memory[17] >= -TB_C(1000000.0) && memory[17] <= TB_C(1000000.0)
-          && memory[18] >= -TB_C(1000000.0) && memory[18] <= TB_C(1000000.0)
-          && memory[19] >= -TB_C(1000000.0) && memory[19] <= TB_C(1000000.0)
+    if (!(TB_ABS(memory[0]) + TB_ABS(memory[1]) + TB_ABS(memory[2]) + TB_ABS(memory[3]) +
+              TB_ABS(memory[4]) + TB_ABS(memory[5]) + TB_ABS(memory[6]) + TB_ABS(memory[7]) +
+              TB_ABS(memory[8]) + TB_ABS(memory[9]) + TB_ABS(memory[10]) + TB_ABS(memory[11]) +
+              TB_ABS(memory[12]) + TB_ABS(memory[13]) + TB_ABS(memory[14]) + TB_ABS(memory[15])
+              + TB_ABS(memory[16]) + TB_ABS(memory[17]) + TB_ABS(memory[18]) +
+              TB_ABS(memory[19]) <= TB_C(20000000.0)
           && length[0] >= TB_C(0.0) && length[0] <= TB_C(4.6944)
           && length[1] >= TB_C(0.0) && length[1] <= TB_C(4.6944)
           && length[2] >= TB_C(0.0) && length[2] <= TB_C(4.6944)

@@ -1,9 +1,9 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
-/* Control laws around the tension distribution of yoon2023. */
+/* Control laws around the tension distribution of yoon2023. Results are written last, so an array may be argument and result at once. */
 
 #include "tb_types.h"
 
@@ -19,7 +19,7 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
 /** Force of the virtual walls, max(0, k penetration - b v_n) along each normal  (Yoon eq. 26,
  *    27, never attractive).
  *  pose [m] (2), velocity [m/s] (2)  ->  force [N] (2)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
  *  Domain: velocity with a sum of magnitudes of at most 200 m/s, else TB_OUT_OF_DOMAIN.
  *  Error of force: double at most 2.3e-13 N (worst found 1.1e-13 at pose (0.7084, 0.4185),
  *    velocity (0.1092, -0.3918)); float at most 1.5e-04 N (worst found 7.7e-05 at pose (0.7118,
@@ -42,7 +42,7 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
 /** Rail coordinates of the orthogonal configuration: the foot of the pose on each rail  (Yoon
  *    section III-B).
  *  pose [m] (2)  ->  target [m] (4)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
  *  Error of target: double at most 0.0e+00 m; float at most 1.8e-08 m (worst found 9.0e-09 at
  *    pose (0.1364, 0.4618)).
  *  Cost, all branches: 4 select. */
@@ -52,11 +52,9 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
  *    section III-E, Fig. 13).
  *  memory [N, m, m/s] (4 x 3), target [m] (4), measured [m] (4)  ->  next_memory [N, m, m/s] (4
  *    x 3), force [N] (4)
- *  Domain: memory in [-1e+06, 1e+06] N, m, m/s, else TB_OUT_OF_DOMAIN.
- *  Domain: target in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: measured in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: memory with a sum of magnitudes of at most 1.2e+07 N, m, m/s, else TB_OUT_OF_DOMAIN.
+ *  Domain: target with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: measured with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  Error of next_memory: double at most 1.4e-13 N, m, m/s; float at most 7.4e-05 N, m, m/s.
  *  Error of force: double at most 7.1e-13 N; float at most 4.4e-04 N.
  *  Cost, all branches: 28 add, 20 mul, 16 compare, 12 select. */
@@ -67,7 +65,8 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *    discretised by Tustin's rule).
  *  memory [m, rad/s, N m, N m, N m] (4 x 5), length [m] (4), load [N] (4), applied [N m] (4)
  *    ->  next_memory [m, rad/s, N m, N m, N m] (4 x 5), disturbance [N m] (4)
- *  Domain: memory in [-1e+06, 1e+06] m, rad/s, N m, N m, N m, else TB_OUT_OF_DOMAIN.
+ *  Domain: memory with a sum of magnitudes of at most 2e+07 m, rad/s, N m, N m, N m, else
+ *    TB_OUT_OF_DOMAIN.
  *  Domain: length in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
  *  Domain: load with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Domain: applied with a sum of magnitudes of at most 200 N m, else TB_OUT_OF_DOMAIN.

@@ -1,13 +1,11 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
 {
-    if (!(rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         points[0] = TB_C(0.0);
         points[1] = TB_C(0.0);
         points[2] = TB_C(0.0);
@@ -31,12 +29,9 @@ tb_status tb_base_points(const real_t rails[4], real_t points[8])
 
 tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[4], real_t vectors[8])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         vectors[0] = TB_C(0.0);
         vectors[1] = TB_C(0.0);
         vectors[2] = TB_C(0.0);
@@ -68,12 +63,9 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[4], real_t v
 
 tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t length[4])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         length[0] = TB_C(0.0);
         length[1] = TB_C(0.0);
         length[2] = TB_C(0.0);
@@ -109,12 +101,9 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t l
 
 tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_t structure[8])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         structure[0] = TB_C(0.0);
         structure[1] = TB_C(0.0);
         structure[2] = TB_C(0.0);
@@ -175,12 +164,9 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_
 
 tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[8])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         jacobian[0] = TB_C(0.0);
         jacobian[1] = TB_C(0.0);
         jacobian[2] = TB_C(0.0);
@@ -242,12 +228,9 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
 tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
     length_rates[4], const real_t rail_rates[4], real_t velocity[2])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236)
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) <= TB_C(400.0)
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
@@ -310,6 +293,49 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
     return TB_OK;
 }
 
+tb_status tb_velocity_from_structure(const real_t structure[8], const real_t length_rates[4],
+    const real_t rail_rates[4], real_t velocity[2])
+{
+    if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
+              TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
+              TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
+          && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
+              TB_ABS(length_rates[3]) <= TB_C(400.0)
+          && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
+              TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = length_rates[0] - structure[0] * rail_rates[0];
+    const real_t t1 = length_rates[1] - structure[5] * rail_rates[1];
+    const real_t t2 = length_rates[2] - structure[2] * rail_rates[2];
+    const real_t t3 = structure[0] * t0 + structure[1] * t1 + structure[2] * t2;
+    const real_t t4 = length_rates[3] - structure[7] * rail_rates[3];
+    const real_t t5 = t3 + structure[3] * t4;
+    const real_t t6 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t7 = t6 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t8 = TB_C(1.0) / t7;
+    const real_t t9 = structure[0] * structure[4] + structure[1] * structure[5];
+    const real_t t10 = t9 + structure[2] * structure[6] + structure[3] * structure[7];
+    const real_t t11 = t8 * t10;
+    const real_t t12 = t0 * structure[4] + structure[5] * t1 + t2 * structure[6];
+    const real_t t13 = structure[4] * structure[4] + structure[5] * structure[5];
+    const real_t t14 = t13 + structure[6] * structure[6] + structure[7] * structure[7];
+    const real_t t15 = t14 - t7 * (t11 * t11);
+    const real_t velocity_1 = (t5 * t11 - (t12 + structure[7] * t4)) / t15;
+    const real_t velocity_0 = -(t5 * t8 + t11 * velocity_1);
+    const bool t16 = !(TB_C(1e-06) < t7 && TB_C(1e-06) < t15);
+    if (t16) {
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    velocity[0] = velocity_0;
+    velocity[1] = velocity_1;
+    return TB_OK;
+}
+
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
     real_t residual[1])
 {
@@ -317,10 +343,8 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
           && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(4.6944)
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(4.6944)
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(4.6944)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -435,12 +459,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
 
 tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[16])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         jacobian[0] = TB_C(0.0);
         jacobian[1] = TB_C(0.0);
         jacobian[2] = TB_C(0.0);

@@ -1,16 +1,15 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
-/* Where the cables are and how they move of yoon2023. */
+/* Where the cables are and how they move of yoon2023. Results are written last, so an array may be argument and result at once. */
 
 #include "tb_types.h"
 
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (4)  ->  points [m] (4 x 2)
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  Error of points: double at most 0.0e+00 m; float at most 4.2e-08 m (worst found 2.1e-08 at
  *    rails (0.5291, 0.1342, 0.3559, 0.2604)).
  *  Cost, all branches: none. */
@@ -18,9 +17,8 @@ tb_status tb_base_points(const real_t rails[4], real_t points[8]);
 
 /** Cable vectors l_i = b_i - c, from the platform to the pulley  (Yoon eq. 1).
  *  pose [m] (2), rails [m] (4)  ->  vectors [m] (4 x 2)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  Error of vectors: double at most 1.1e-16 m (worst found 5.6e-17 at pose (0.1026, 0.4381),
  *    rails (0.0497, 0.2875, 0.4348, 0.3425)); float at most 1.0e-07 m (worst found 5.1e-08 at
  *    pose (0.202, 0.1451), rails (0.7118, 0.2116, 0.3526, 0.04854)).
@@ -29,9 +27,8 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[4], real_t v
 
 /** Cable lengths l_i = |b_i - c|  (Yoon eq. 18).
  *  pose [m] (2), rails [m] (4)  ->  length [m] (4)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  Error of length: double at most 3.3e-16 m (worst found 1.7e-16 at pose (0.002952, 0.221),
  *    rails (0.2131, 0.2687, 0.2257, 0.2527)); float at most 1.9e-07 m (worst found 9.7e-08 at
@@ -41,9 +38,8 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t l
 
 /** Structure matrix S: column i is the unit vector along cable i, S T = W  (Yoon eq. 7, 21).
  *  pose [m] (2), rails [m] (4)  ->  structure [-] (2 x 4)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  Error of structure: double at most 5.4e-16 (worst found 2.7e-16 at pose (0.2493, 0.1298),
  *    rails (0.2308, 0.1344, 0.2369, 0.2284)); float at most 4.1e-04 (worst found 2.0e-04 at
@@ -53,9 +49,8 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_
 
 /** Length Jacobian dl/dx = -S'  (Yoon eq. 3, 20).
  *  pose [m] (2), rails [m] (4)  ->  jacobian [-] (4 x 2)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  Error of jacobian: double at most 5.4e-16 (worst found 2.7e-16 at pose (0.2493, 0.1298),
  *    rails (0.2308, 0.1344, 0.2369, 0.2284)); float at most 4.1e-04 (worst found 2.0e-04 at
@@ -67,9 +62,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
  *    eq. 6, 20 with normalised rows).
  *  pose [m] (2), rails [m] (4), length_rates [m/s] (4), rail_rates [m/s] (4)  ->  velocity
  *    [m/s] (2)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  Domain: rail_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
@@ -79,12 +73,23 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
 tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
     length_rates[4], const real_t rail_rates[4], real_t velocity[2]);
 
+/** Platform velocity as task_velocity gives it, for a known structure matrix  (Yoon eq. 6, 20
+ *    with normalised rows).
+ *  structure [-] (2 x 4), length_rates [m/s] (4), rail_rates [m/s] (4)  ->  velocity [m/s] (2)
+ *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
+ *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
+ *  Domain: rail_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables are parallel.
+ *  Error of velocity: double at most 3.5e-12 m/s; float at most 4.8e-03 m/s.
+ *  Cost, all branches: 23 add, 30 mul, 2 div, 2 compare. */
+tb_status tb_velocity_from_structure(const real_t structure[8], const real_t length_rates[4],
+    const real_t rail_rates[4], real_t velocity[2]);
+
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
  *  lengths [m] (4), rails [m] (4)  ->  pose [m] (2), residual [m] (scalar)
  *  Domain: lengths in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
  *  Error of pose: double at most 5.1e-13 m (worst found 2.6e-13 at lengths (0.6467, 0.3622,
@@ -101,9 +106,8 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
 
 /** Rail Jacobian dl/ds  (Yoon eq. 3, 20).
  *  pose [m] (2), rails [m] (4)  ->  jacobian [-] (4 x 4)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  Error of jacobian: double at most 4.4e-16 (worst found 2.2e-16 at pose (0.7118, 0.4225),
  *    rails (0.102, 0.1827, 0.1583, 0)); float at most 2.1e-05 (worst found 1.0e-05 at pose

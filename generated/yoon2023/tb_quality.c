@@ -1,15 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -353,12 +350,9 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
 
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t factor[1])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         factor[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
@@ -614,12 +608,9 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t force[1])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         force[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
@@ -674,12 +665,9 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
 
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236))) {
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
         force[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }

@@ -1,18 +1,17 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
-/* Tension factor and isotropic force of a pose of yoon2023. */
+/* Tension factor and isotropic force of a pose of yoon2023. Results are written last, so an array may be argument and result at once. */
 
 #include "tb_types.h"
 
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (4)  ->  tension [N] (4)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INACCURATE: the optimality conditions are missed by more than rounding.
@@ -25,9 +24,8 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
 
 /** Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace  (Yoon eq. 13).
  *  pose [m] (2), rails [m] (4)  ->  factor [-] (scalar)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
@@ -40,9 +38,8 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
 /** Isotropic force I_F: the largest force in every direction; 0 outside the workspace  (Yoon
  *    section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it).
  *  pose [m] (2), rails [m] (4)  ->  force [N] (scalar)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
  *  Error of force: double at most 1.2e-14 N (worst found 6.1e-15 at pose (0.2382, 0.2421),
@@ -54,9 +51,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).
  *  pose [m] (2), rails [m] (4)  ->  force [N] (scalar)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.

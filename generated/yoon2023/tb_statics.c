@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
@@ -25,12 +25,9 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real_t tension[4],
     real_t force[4])
 {
-    if (!(pose[0] >= -TB_C(0.7118) && pose[0] <= TB_C(1.4236)
-          && pose[1] >= -TB_C(0.4618) && pose[1] <= TB_C(0.9236)
-          && rails[0] >= -TB_C(0.7118) && rails[0] <= TB_C(1.4236)
-          && rails[1] >= -TB_C(0.4618) && rails[1] <= TB_C(0.9236)
-          && rails[2] >= -TB_C(0.7118) && rails[2] <= TB_C(1.4236)
-          && rails[3] >= -TB_C(0.4618) && rails[3] <= TB_C(0.9236)
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
               <= TB_C(40000.0))) {
         force[0] = TB_C(0.0);

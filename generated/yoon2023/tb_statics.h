@@ -1,9 +1,9 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02da9b005a73f803, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
-/* Forces between cables, platform and bases of yoon2023. */
+/* Forces between cables, platform and bases of yoon2023. Results are written last, so an array may be argument and result at once. */
 
 #include "tb_types.h"
 
@@ -18,9 +18,8 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
 /** Force of the cable on its base along the rail, -T_i lhat_i . e_i; the drive must hold it
  *    (Yoon eq. 8, the joint-space force of virtual work).
  *  pose [m] (2), rails [m] (4), tension [N] (4)  ->  force [N] (4)
- *  Domain: pose in [-0.7118, 1.4236] x [-0.4618, 0.9236] m, else TB_OUT_OF_DOMAIN.
- *  Domain: rails in [-0.7118, 1.4236] x [-0.4618, 0.9236] x [-0.7118, 1.4236] x [-0.4618,
- *    0.9236] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  Error of force: double at most 5.4e-15 N; float at most 1.5e-04 N.

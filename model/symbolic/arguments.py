@@ -11,18 +11,19 @@ from model.symbolic.function import Input, bounded_input, make_input
 HEADROOM = 1000.0
 #: Fastest motion that is taken for a measurement, m/s.
 FASTEST = 100.0
+#: Largest remembered quantity on average, in its own unit.
+MEMORY_BOUND = 1e6
 
 
 def pose(machine: Machine) -> Input:
-    """Position of the platform: the frame and its own size around it."""
-    size = machine.frame.size
-    return make_input("pose", (machine.dof,), "m", [-x for x in size], [2 * x for x in size])
+    """Position of the platform: the frame and more than its own size around it."""
+    return bounded_input("pose", (machine.dof,), "m", 2 * max(machine.frame.size))
 
 
 def rails(machine: Machine, name: str = "rails") -> Input:
-    """Rail coordinates s_i, up to one rail length past either end."""
+    """Rail coordinates s_i: twice the longest rail."""
     lengths = rail_lengths(machine)
-    return make_input(name, (len(lengths),), "m", [-x for x in lengths], [2 * x for x in lengths])
+    return bounded_input(name, (len(lengths),), "m", 2 * max(lengths, default=0.0))
 
 
 def rail_lengths(machine: Machine) -> list[float]:
@@ -37,9 +38,22 @@ def lengths(machine: Machine, name: str = "lengths") -> Input:
     return make_input(name, (len(machine.cables),), "m", [0.0], [longest])
 
 
-def speeds(machine: Machine, name: str, count: int) -> Input:
+def speeds(name: str, count: int) -> Input:
     """Speeds of cables, rails or the platform."""
     return bounded_input(name, (count,), "m/s", FASTEST)
+
+
+def rates(machine: Machine) -> tuple[Input, Input]:
+    """Speeds of all cables and of all rails."""
+    return (
+        speeds("length_rates", len(machine.cables)),
+        speeds("rail_rates", len(machine.rail_cables)),
+    )
+
+
+def memory(shape: tuple[int, int], unit: str) -> Input:
+    """What a filter remembers, in units of its columns; only a broken memory is refused."""
+    return bounded_input("memory", shape, unit, MEMORY_BOUND)
 
 
 def structure(machine: Machine) -> Input:

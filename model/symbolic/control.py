@@ -6,13 +6,10 @@ import casadi as ca
 
 from model.machine import FixedBase, Machine, Wall
 from model.symbolic import arguments
-from model.symbolic.function import Label, ModelFunction, Output, make_input, vector_output
+from model.symbolic.function import Label, ModelFunction, Output, vector_output
 from model.symbolic.kinematics import loses_rank
 from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract
 from model.symbolic.scalar import Scalar, Vector, clamp, where
-
-#: Bound on remembered quantities, in their own units; only a broken memory reaches it.
-MEMORY_BOUND = 1e6
 
 
 def motor_torques_function(machine: Machine) -> ModelFunction:
@@ -31,7 +28,7 @@ def motor_torques_function(machine: Machine) -> ModelFunction:
 def wall_force_function(machine: Machine) -> ModelFunction:
     """Force of the virtual walls on the hand."""
     pose = arguments.pose(machine)
-    velocity = arguments.speeds(machine, "velocity", machine.dof)
+    velocity = arguments.speeds("velocity", machine.dof)
     force: Vector = [ca.SX(0)] * machine.dof
     pushes: Vector = []
     for wall in machine.walls:
@@ -80,7 +77,7 @@ def base_pid_function(machine: Machine) -> ModelFunction:
     assert drive is not None
     count = len(machine.rail_cables)
     period = 1 / machine.control.rate
-    memory = make_input("memory", (count, 3), "N, m, m/s", [-MEMORY_BOUND], [MEMORY_BOUND])
+    memory = arguments.memory((count, 3), "N, m, m/s")
     target = arguments.rails(machine, "target")
     measured = arguments.rails(machine, "measured")
     weight = 1 - math.exp(-2 * math.pi * drive.derivative_corner * period)
@@ -147,9 +144,7 @@ def observe_disturbance_function(machine: Machine) -> ModelFunction:
         1 / (ratio + 1),
         2 * machine.control.rate / (ratio + 1),
     )
-    memory = make_input(
-        "memory", (count, 5), "m, rad/s, N m, N m, N m", [-MEMORY_BOUND], [MEMORY_BOUND]
-    )
+    memory = arguments.memory((count, 5), "m, rad/s, N m, N m, N m")
     length = arguments.lengths(machine, "length")
     load = arguments.tension(machine, "load")
     applied = arguments.torque(machine, "applied")

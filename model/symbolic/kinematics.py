@@ -177,29 +177,36 @@ def rail_jacobian_function(machine: Machine) -> ModelFunction:
     )
 
 
-def rail_slopes(machine: Machine, rays: Matrix) -> Matrix:
-    """lhat_i . e_i for every cable on a rail: the only entry of its column of dl/ds."""
-    slopes: Matrix = []
+def rail_slopes(machine: Machine, rays: Matrix) -> list[tuple[int, Scalar]]:
+    """Every cable on a rail with lhat_i . e_i, the only entry of its column of dl/ds."""
+    slopes = []
     for number in machine.rail_cables:
         base = machine.cables[number].base
         assert not isinstance(base, FixedBase)
-        slopes.append([number, dot(rays[number], list(base.direction))])
+        slopes.append((number, dot(rays[number], list(base.direction))))
     return slopes
+
+
+def least_squares_velocity(
+    machine: Machine, rays: Matrix, length_rates: Vector, rail_rates: Vector
+) -> tuple[Vector, Vector]:
+    """Velocity that fits S' xdot = dl/ds sdot - ldot best; returns (velocity [m/s], pivots)."""
+    closing = list(length_rates)
+    for rate, (number, slope) in zip(rail_rates, rail_slopes(machine, rays), strict=True):
+        closing[number] = closing[number] - slope * rate
+    columns = transpose(rays)
+    return solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
 
 
 def task_velocity_function(machine: Machine) -> ModelFunction:
     """Platform velocity from the speeds of cables and rails."""
     pose, rails = arguments.pose(machine), arguments.rails(machine)
-    length_rates = arguments.speeds(machine, "length_rates", len(machine.cables))
-    rail_rates = arguments.speeds(machine, "rail_rates", len(machine.rail_cables))
+    length_rates, rail_rates = arguments.rates(machine)
     vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
     lengths = [norm(vector) for vector in vectors]
-    rays = directions(vectors, lengths)
-    closing = length_rates.scalars()
-    for rate, (number, slope) in zip(rail_rates.scalars(), rail_slopes(machine, rays), strict=True):
-        closing[number] = closing[number] - slope * rate
-    columns = transpose(rays)
-    velocity, pivots = solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
+    velocity, pivots = least_squares_velocity(
+        machine, directions(vectors, lengths), length_rates.scalars(), rail_rates.scalars()
+    )
     return ModelFunction(
         "task_velocity",
         "Platform velocity: least squares over the unit rows of dl/dx xdot = ldot - dl/ds sdot",
@@ -208,6 +215,23 @@ def task_velocity_function(machine: Machine) -> ModelFunction:
         (vector_output("velocity", "m/s", velocity),),
         (touches_a_pulley(lengths), loses_rank(pivots)),
         (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+    )
+
+
+def velocity_from_structure_function(machine: Machine) -> ModelFunction:
+    """Platform velocity where the structure matrix is known already."""
+    structure = arguments.structure(machine)
+    length_rates, rail_rates = arguments.rates(machine)
+    velocity, pivots = least_squares_velocity(
+        machine, transpose(structure.rows()), length_rates.scalars(), rail_rates.scalars()
+    )
+    return ModelFunction(
+        "velocity_from_structure",
+        "Platform velocity as task_velocity gives it, for a known structure matrix",
+        "Yoon eq. 6, 20 with normalised rows",
+        (structure, length_rates, rail_rates),
+        (vector_output("velocity", "m/s", velocity),),
+        (loses_rank(pivots),),
     )
 
 
@@ -270,6 +294,7 @@ def functions(machine: Machine) -> list[ModelFunction]:
         structure_matrix_function(machine),
         length_jacobian_function(machine),
         task_velocity_function(machine),
+        velocity_from_structure_function(machine),
         forward_kinematics_function(machine),
     ]
     if machine.rail_cables:

@@ -22,7 +22,7 @@ static bool is_good(tb_status status)
     return (status == TB_OK) || (status == TB_INFEASIBLE);
 }
 
-static void copy(size_t count, const real_t from[], real_t to[])
+static void copy(size_t count, const real_t from[restrict], real_t to[restrict])
 {
     for (size_t i = 0; i < count; i++) {
         to[i] = from[i];
@@ -36,6 +36,20 @@ static void fill(size_t count, real_t value, real_t to[])
     }
 }
 
+/* Field by field: one struct assignment becomes a string instruction, several times as slow. */
+static void copy_memory(const tb_controller *restrict from, tb_controller *restrict to)
+{
+    copy(TB_DOF, from->pose, to->pose);
+    copy(TB_CABLES, from->lengths, to->lengths);
+    copy(TB_CABLES, from->length_rates, to->length_rates);
+    copy(TB_RAIL_SLOTS, from->rails, to->rails);
+    copy(TB_RAIL_SLOTS, from->rail_rates, to->rail_rates);
+    copy(TB_CABLES * TB_OBSERVER_MEMORY, from->observer, to->observer);
+    copy(TB_RAIL_SLOTS * TB_BASE_MEMORY, from->base, to->base);
+    copy(TB_CABLES, from->torque, to->torque);
+    to->interrupted = from->interrupted;
+}
+
 /* First-order low-pass on the backward difference. */
 static void filter_rates(size_t count, const real_t measured[], real_t previous[], real_t rates[])
 {
@@ -47,18 +61,21 @@ static void filter_rates(size_t count, const real_t measured[], real_t previous[
 }
 
 static tb_status locate_platform(tb_controller *controller, const tb_inputs *inputs,
-                                 tb_outputs *outputs)
+                                 real_t structure[], tb_outputs *outputs)
 {
-    tb_status const status =
+    tb_status status =
         tb_forward_kinematics(inputs->lengths, inputs->rails, outputs->pose, &outputs->residual);
+    if (status == TB_OK) {
+        status = tb_structure_matrix(outputs->pose, inputs->rails, structure);
+    }
     if (status != TB_OK) {
         return status;
     }
     copy(TB_DOF, outputs->pose, controller->pose);
     filter_rates(TB_CABLES, inputs->lengths, controller->lengths, controller->length_rates);
     filter_rates(TB_RAILS, inputs->rails, controller->rails, controller->rail_rates);
-    return tb_task_velocity(outputs->pose, inputs->rails, controller->length_rates,
-                            controller->rail_rates, outputs->velocity);
+    return tb_velocity_from_structure(structure, controller->length_rates,
+                                      controller->rail_rates, outputs->velocity);
 }
 
 static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
@@ -71,13 +88,8 @@ static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
     return status;
 }
 
-static tb_status distribute_force(const tb_inputs *inputs, real_t structure[],
-                                  tb_outputs *outputs)
+static tb_status distribute_force(const real_t structure[], tb_outputs *outputs)
 {
-    tb_status const status = tb_structure_matrix(outputs->pose, inputs->rails, structure);
-    if (status != TB_OK) {
-        return status;
-    }
     real_t kkt_residual[1];
     return tb_distribute_tension(structure, outputs->wanted_force, outputs->tension,
                                  outputs->delivered_force, kkt_residual);
@@ -147,9 +159,7 @@ static tb_status estimate_disturbance(tb_controller *controller, const tb_inputs
     if (status != TB_OK) {
         return status;
     }
-    real_t memory[TB_CABLES * TB_OBSERVER_MEMORY];
-    copy(TB_CABLES * TB_OBSERVER_MEMORY, controller->observer, memory);
-    return tb_observe_disturbance(memory, inputs->lengths, load, controller->torque,
+    return tb_observe_disturbance(controller->observer, inputs->lengths, load, controller->torque,
                                   controller->observer, outputs->disturbance);
 }
 
@@ -174,10 +184,8 @@ static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
 {
     tb_status status = tb_base_targets(outputs->pose, outputs->rail_target);
     if (status == TB_OK) {
-        real_t memory[TB_RAILS * TB_BASE_MEMORY];
-        copy(TB_RAILS * TB_BASE_MEMORY, controller->base, memory);
-        status = tb_base_pid(memory, outputs->rail_target, inputs->rails, controller->base,
-                             outputs->rail_force);
+        status = tb_base_pid(controller->base, outputs->rail_target, inputs->rails,
+                             controller->base, outputs->rail_force);
     }
     for (size_t i = 0; i < TB_RAILS; i++) {
         outputs->rail_torque[i] = TB_PINION_RADIUS * outputs->rail_force[i];
@@ -201,7 +209,9 @@ static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
 {
     (void)controller;
     (void)inputs;
-    (void)outputs;
+    fill(TB_RAIL_SLOTS, TB_C(0.0), outputs->rail_target);
+    fill(TB_RAIL_SLOTS, TB_C(0.0), outputs->rail_force);
+    fill(TB_RAIL_SLOTS, TB_C(0.0), outputs->rail_torque);
     return TB_OK;
 }
 
@@ -247,10 +257,9 @@ static tb_status command_torques(const tb_inputs *inputs, tb_outputs *outputs)
 
 /* Tension from the wanted force; torques from tension and disturbance. */
 static tb_status pull_cables(tb_controller *controller, const tb_inputs *inputs,
-                             tb_outputs *outputs)
+                             const real_t structure[], tb_outputs *outputs)
 {
-    real_t structure[TB_DOF * TB_CABLES];
-    tb_status const distributed = distribute_force(inputs, structure, outputs);
+    tb_status const distributed = distribute_force(structure, outputs);
     if (!is_good(distributed)) {
         return distributed;
     }
@@ -264,7 +273,8 @@ static tb_status pull_cables(tb_controller *controller, const tb_inputs *inputs,
 static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs,
                            tb_outputs *outputs)
 {
-    tb_status status = locate_platform(controller, inputs, outputs);
+    real_t structure[TB_DOF * TB_CABLES];
+    tb_status status = locate_platform(controller, inputs, structure, outputs);
     if (status == TB_OK) {
         status = move_bases(controller, inputs, outputs);
     }
@@ -272,7 +282,7 @@ static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs,
         status = render_force(inputs, outputs);
     }
     if (status == TB_OK) {
-        status = pull_cables(controller, inputs, outputs);
+        status = pull_cables(controller, inputs, structure, outputs);
     }
     return status;
 }
@@ -314,14 +324,14 @@ tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB
 tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,
                              tb_outputs *outputs)
 {
-    tb_controller next = *controller;
-    *outputs = nothing;
+    tb_controller next;
+    copy_memory(controller, &next);
     if (next.interrupted != 0) {
         resume(&next, inputs->lengths, inputs->rails);
     }
     tb_status const status = run_cycle(&next, inputs, outputs);
     if (is_good(status)) {
-        *controller = next;
+        copy_memory(&next, controller);
     } else {
         controller->interrupted = 1;
         hold_safe(controller, outputs);
