@@ -194,7 +194,7 @@ class Trial:
         if key not in self.drawn:
             self.drawn[key] = [
                 np.concatenate([drawn(s, function.name, p) for s in self.samplers])
-                .reshape(-1, *p.shape)
+                .reshape(sum(s.count for s in self.samplers), *p.shape)
                 .astype(self.real)
                 for p in function.inputs
             ]
@@ -296,7 +296,7 @@ class Trial:
             bad = choices[(point // len(entries)) % len(choices)]
             arguments[which][point, entry] = self.real(bad)
         for k, port in enumerate(function.inputs):
-            arguments[k] = arguments[k].reshape(-1, *port.shape)
+            arguments[k] = arguments[k].reshape(len(arguments[k]), *port.shape)
 
     def observer_rows(self, called: GeneratedFunction) -> list[Row]:
         """The observer over recordings, judged by its transfer functions."""
@@ -336,7 +336,7 @@ def drawn(sampler: Sampler, function: str, port: Input) -> NDArray[Any]:
     """Arguments of one name; a platform exactly on a pulley has no direction there: any will do."""
     values = sampler.argument(function, port.name, port.size)
     if port.name == "structure":
-        columns = values.reshape(-1, *port.shape)
+        columns = values.reshape(len(values), *port.shape)
         columns[:, 0] = np.where(np.any(columns != 0, axis=1), columns[:, 0], 1.0)
     return values
 
@@ -375,7 +375,7 @@ def recording(machine: Machine) -> tuple[NDArray[Any], ...]:
 
 
 def _flat(values: NDArray[Any]) -> NDArray[Any]:
-    return values.reshape(len(values), -1)
+    return values.reshape(len(values), int(np.prod(values.shape[1:], dtype=int)))
 
 
 def _told(status: NDArray[Any], allowed: Bools, wrong: NDArray[Any]) -> str:
