@@ -24,7 +24,7 @@ CORTEX_M4F = (
 )
 PREFIX = "tb_"
 #: What a compiler makes of copying or clearing a struct; every C library for a target has them.
-COMPILER_MADE = frozenset({"memcpy", "memset"})
+COMPILER_MADE = frozenset({"memcpy", "memmove", "memset"})
 HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
 #: Kinds of symbols that are variables: initialised, zeroed, common.
 STATE = frozenset("DdBbCc")

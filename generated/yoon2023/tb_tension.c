@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -1429,9 +1429,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t190 = tb_max(t139, TB_ABS(t188 + structure[3] * t189 - wrench[0]));
     const real_t t191 = structure[4] * t185 + structure[5] * t186 + structure[6] * t187;
     const real_t t192 = tb_max(t190, TB_ABS(t191 + structure[7] * t189 - wrench[1]));
-    const real_t t193 = TB_EPSILON * TB_C(128.0) * tb_max(tb_max(tb_max(t185, t186), t187),
-        t189);
-    const bool t194 = t192 <= t27 * t193;
+    const real_t t193 = tb_min(tb_max(tb_max(tb_max(t185, t186), t187), t189), TB_C(1000.0));
+    const bool t194 = t192 <= t27 * (TB_EPSILON * TB_C(128.0) * t193);
     real_t tension_0, tension_1, tension_2, tension_3, kkt_residual_0;
     if (t194) {
         tension_0 = tb_min(t185, TB_C(10.0));

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 7f1c85cda32ad40b, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -71,8 +71,8 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
  *  Error of tension: double at most 6.6e-13 N; float at most 1.7e-04 N.
  *  Error of delivered: double at most 5.1e-13 N; float at most 1.5e-04 N.
- *  Error of kkt_residual: double at most 7.4e-10 N; float at most 1.9e-01 N.
- *  Cost, all branches: 144 add, 166 mul, 17 div, 2 sqrt, 39 compare, 121 select. */
+ *  Error of kkt_residual: double at most 4.8e-11 N; float at most 2.5e-02 N.
+ *  Cost, all branches: 144 add, 166 mul, 17 div, 2 sqrt, 39 compare, 122 select. */
 tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
 

@@ -43,6 +43,8 @@ from model.symbolic.wrench_set import WrenchSet, wrench_set
 SLACK = 8.0
 #: The KKT residual of a solution reaches at most this many EPSILON times the tension scale.
 KKT_TOLERANCE = 128.0
+#: Without an upper bound, tensions beyond this many times T_max count as no solution.
+FARTHEST = 100.0
 #: The structure matrix has lost rank when a pivot of its factorisation is below this many EPSILON.
 RANK_TOLERANCE = 4096.0
 
@@ -163,7 +165,8 @@ def paper_function(machine: Machine) -> ModelFunction:
     low, high = machine.tension.min, machine.tension.max
     space = factored(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, None)
-    solved = solution.kkt_residual <= rounding(KKT_TOLERANCE, largest(solution.tension), space)
+    scale = ca.fmin(largest(solution.tension), FARTHEST * high)
+    solved = solution.kkt_residual <= rounding(KKT_TOLERANCE, scale, space)
     clipped = [where(solved, ca.fmin(value, high), low) for value in solution.tension]
     exceeds = any_of([value > high for value in solution.tension])
     answer = Solution(clipped, multiply(matrix, clipped), where(solved, solution.kkt_residual, 0))
