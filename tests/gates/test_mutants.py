@@ -46,6 +46,15 @@ MUTATIONS = {
 }
 
 
+#: The quick attempt may give up anywhere: a mutant that always does costs time only. The last
+#: product of the zero-wrench tension is the tolerance of its own check.
+HARMLESS = {
+    "sum becomes difference": {"least_norm_tension_quick"},
+    "product becomes sum": {"zero_wrench_tension"},
+    "another entry is read": {"least_norm_tension_quick"},
+}
+
+
 def mutated(source: str, mutate: Callable[[str], str]) -> tuple[str, set[str]]:
     """C with every function mutated, and the names of those in which something changed."""
     changed: set[str] = set()
@@ -83,7 +92,7 @@ def test_a_mutation_of_any_function_is_noticed(
         path.write_text(text)
         changed |= names
     assert len(changed) >= 8
-    assert unnoticed(trial, folder, changed) == set()
+    assert unnoticed(trial, folder, changed) <= HARMLESS.get(kind, set())
 
 
 def test_unchanged_c_is_not_found_wrong(trial: Trial, stock_folder: Path) -> None:
