@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+import casadi
 import numpy as np
 import pytest
 import sympy as sp
@@ -16,7 +17,7 @@ from codegen.evaluate import Arithmetic, evaluate
 from codegen.generate import Model
 from codegen.ir import Routine
 from model.machine import Machine
-from model.symbolic import kinematics, linear, scalar
+from model.symbolic import kinematics, scalar
 
 x, y = sp.symbols("x y", positive=True)
 s1, s2, s3, s4 = RAILS = sp.symbols("s1:5", positive=True)
@@ -44,8 +45,8 @@ def base_points(frame: tuple[sp.Rational, sp.Rational]) -> sp.Matrix:
 def symbolic_algebra(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """The model's formulas on SymPy's symbols."""
     scalar.sqrt.register(sp.Basic, sp.sqrt)
-    monkeypatch.setattr(linear.ca, "SX", sp.Integer)
-    monkeypatch.setattr(linear.ca, "fmin", sp.Min)
+    monkeypatch.setattr(casadi, "SX", sp.Integer)
+    monkeypatch.setattr(casadi, "fmin", sp.Min)
     yield
 
 

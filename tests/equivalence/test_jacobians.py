@@ -43,7 +43,7 @@ def drawn(machine: Machine) -> Sampler:
 
 def nearness(sampler: Sampler) -> Doubles:
     """Rounding of a direction: that of a coordinate over the distance (k, 1)."""
-    return 8 * EPSILON / np.min(sampler.lengths, axis=1, keepdims=True)
+    return np.asarray(8 * EPSILON / np.min(sampler.lengths, axis=1, keepdims=True))
 
 
 def test_the_length_jacobian_is_the_derivative_by_dual_numbers(
