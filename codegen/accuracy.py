@@ -1,8 +1,8 @@
 """How far the generated C can be from the exact result: measured, at generation time.
 
 Every routine is run over the working domain in each precision exactly as the C will run, and again
-with more bits; the largest difference found, where it was found, and a bound of twice that go into
-the header. A test holds the compiled C to the bound on fresh points.
+with more bits. The largest difference found, where it was found, and a bound of four times that go
+into the header. A test holds the compiled C to the bound on fresh points.
 """
 
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 #: Points tried at first, and again around the worst ones in every round of the search.
 FIRST_POINTS, ROUND_POINTS, ROUNDS = 8192, 2048, 3
 #: The stated bound over the worst error found.
-MARGIN = 2.0
+MARGIN = 4.0
 
 
 @dataclass(frozen=True)

@@ -73,10 +73,13 @@ def keep(path: Path, found: Accuracy) -> None:
         output: {precision: case.__dict__ for precision, case in cases.items()}
         for output, cases in found.results.items()
     }
+    name = ""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as stream:
+            name = stream.name
             json.dump(content, stream)
-        os.replace(stream.name, path)
+        os.replace(name, path)
     except OSError:
-        return
+        if name:
+            Path(name).unlink(missing_ok=True)

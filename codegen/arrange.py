@@ -75,14 +75,14 @@ class Arrangement:
     def groups(self, numbers: set[int]) -> list[Group]:
         """Branches worth making among `numbers`: disjoint, and possible to order.
 
-        A group inside an arm of another waits for that arm's own block; of two that overlap
-        otherwise the earlier one keeps what both could hold.
+        A group inside an arm of another waits for that arm's own block. Of two that overlap
+        otherwise, the order that leaves more work inside branches is taken.
         """
         accepted: list[Group] = []
         free = set(numbers)
         refused: set[int] = set()
-        while candidates := self.candidates(free, refused):
-            group = min(outermost(candidates), key=lambda g: g.selects)
+        while candidates := outermost(self.candidates(free, refused)):
+            group = self.leader(candidates, free)
             if self.schedule(numbers, [*accepted, group]) is None:
                 refused.add(group.condition)
             else:
@@ -97,16 +97,33 @@ class Arrangement:
             node = self.nodes[number]
             if node.op is Op.SELECT and node.args[0] not in refused:
                 by_condition.setdefault(node.args[0], []).append(number)
-        groups = [
-            Group(
-                condition,
-                tuple(selects),
-                self.region(numbers, selects, 1),
-                self.region(numbers, selects, 2),
-            )
-            for condition, selects in by_condition.items()
-        ]
-        return [g for g in groups if self.work(g.yes) + self.work(g.no) >= WORTH_A_BRANCH]
+        groups = [self.group(numbers, *item) for item in by_condition.items()]
+        return [group for group in groups if self.saved(group) >= WORTH_A_BRANCH]
+
+    def group(self, numbers: set[int], condition: int, selects: list[int]) -> Group:
+        """The choices on one condition with what only their arms need."""
+        yes, no = (self.region(numbers, selects, arm) for arm in (1, 2))
+        return Group(condition, tuple(selects), yes, no)
+
+    def leader(self, candidates: list[Group], free: set[int]) -> Group:
+        """The group to make first: the earliest, unless one that overlaps it had better be."""
+        first = min(candidates, key=lambda g: g.selects)
+        for other in sorted(candidates, key=self.saved, reverse=True):
+            if other.members & first.members and other is not first:
+                before = self.saved(other) + self.left(first, free - other.members)
+                after = self.saved(first) + self.left(other, free - first.members)
+                if before > after:
+                    return other
+        return first
+
+    def left(self, group: Group, numbers: set[int]) -> int:
+        """What a group still saves when only `numbers` are left to it."""
+        selects = [select for select in group.selects if select in numbers]
+        return self.saved(self.group(numbers, group.condition, selects)) if selects else 0
+
+    def saved(self, group: Group) -> int:
+        """Work that a branch may skip."""
+        return self.work(group.yes) + self.work(group.no)
 
     def work(self, numbers: Iterable[int]) -> int:
         """Work of some nodes, in units of an addition."""

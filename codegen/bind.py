@@ -3,6 +3,8 @@
 import ctypes
 import hashlib
 import json
+import os
+import tempfile
 from collections import namedtuple
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -190,16 +192,27 @@ def batch_source(folder: Path, content: dict[str, Any]) -> Path:
     text = environment.get_template("batch.c.jinja").render(
         topics=sorted(headers), functions=functions
     )
-    path = LIBRARIES / f"batch_{content['hash']}.c"
-    if not path.exists() or path.read_text() != text:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+    path = LIBRARIES / f"batch_{hashlib.sha256(text.encode()).hexdigest()[:16]}.c"
+    if not path.exists():
+        keep_text(path, text)
     return path
+
+
+def keep_text(path: Path, text: str) -> None:
+    """Write a file whole: another process that reads it meanwhile sees all of it or none."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as stream:
+        stream.write(text)
+    os.replace(stream.name, path)
 
 
 def generate_into_build(machine: Machine) -> Path:
     """A generated folder of the machine under build/, one for every content, made once."""
-    files = generate(machine)
+    return folder_of(machine, generate(machine))
+
+
+def folder_of(machine: Machine, files: dict[str, str]) -> Path:
+    """The folder under build/ that holds these files of a machine."""
     digest = hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()[:16]
     folder = LIBRARIES.parent / "generated" / f"{machine.name}-{digest}"
     if not (folder / MANIFEST).exists():

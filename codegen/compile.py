@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import shlex
 import subprocess
 import tempfile
 from collections.abc import Sequence
@@ -10,7 +11,14 @@ from pathlib import Path
 #: Where libraries are kept; safe to delete.
 LIBRARIES = Path(__file__).parents[1] / "build" / "libraries"
 #: Flags that every build of ours uses: the same bits on every target, square roots inline.
-FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno")
+FLAGS = (
+    "-std=c11",
+    "-O2",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-fno-thread-jumps",
+)
 PRECISIONS = {"double": (), "float": ("-DTB_REAL_FLOAT",)}
 
 
@@ -27,8 +35,8 @@ def compile_library(
     """
     if precision not in PRECISIONS:
         raise ValueError(f"precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
-    compiler = os.environ.get("CC", "gcc")
-    flags = [*FLAGS, *PRECISIONS[precision], "-shared", "-fPIC"]
+    compiler, *extra = shlex.split(os.environ.get("CC") or "gcc")
+    flags = [*extra, *FLAGS, *PRECISIONS[precision], "-shared", "-fPIC"]
     library = LIBRARIES / f"{key(sources, include, [compiler, *flags])}.so"
     if not library.exists():
         library.parent.mkdir(parents=True, exist_ok=True)

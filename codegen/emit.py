@@ -37,36 +37,44 @@ def emit(item: Routine | Procedure, accuracy: Accuracy) -> CFunction:
 def retry_body(item: Procedure) -> list[str]:
     """Attempt; where that fails, substitute an argument and make every attempt with it."""
     first, second = item.attempts[0].function, item.substitute.function
-    argument, (served,) = first.inputs[item.replaced].name, second.outputs
-    names = argument_names(first)
-    again = ", ".join(served.name if name == argument else name for name in names)
-    asked = ", ".join(argument_names(second))
     lines = [
-        *wrap(f"    tb_status status = tb_{first.name}({', '.join(names)});", "    "),
+        *wrap(f"    tb_status status = {call(first, {})};", "    "),
         "    if (status != TB_INACCURATE) {",
         "        return status;",
         "    }",
-        f"    real_t {served.name}[{served.size}];",
-        *wrap(f"    const tb_status verdict = tb_{second.name}({asked});", "    "),
+        *(f"    real_t {served.name}[{served.size}];" for served in second.outputs),
+        *wrap(f"    const tb_status verdict = {call(second, {})};", "    "),
     ]
-    for attempt in item.attempts:
-        lines += [
-            "    if (status == TB_INACCURATE) {",
-            *wrap(f"        status = tb_{attempt.function.name}({again});", "        "),
-            "    }",
-        ]
+    argument = first.inputs[item.replaced].name
+    for number, served in enumerate(second.outputs):
+        for attempt in item.attempts:
+            # The first attempt has failed at the wanted argument already.
+            another = number or attempt is item.attempts[0]
+            allowed = " && verdict == TB_INFEASIBLE" if another else ""
+            again = call(attempt.function, {argument: served.name})
+            lines += [
+                f"    if (status == TB_INACCURATE{allowed}) {{",
+                *wrap(f"        status = {again};", "        "),
+                "    }",
+            ]
     return [*lines, "    return status == TB_OK ? verdict : status;"]
+
+
+def call(function: ModelFunction, replaced: dict[str, str]) -> str:
+    """A call with the function's own names as arguments, but for those that are replaced."""
+    names = [replaced.get(name, name) for name in argument_names(function)]
+    return f"tb_{function.name}({', '.join(names)})"
 
 
 def emit_alias(name: str, routine: Routine | Procedure) -> CFunction:
     """A function that is another one under a second name."""
     function = routine.function
-    call = f"    return tb_{function.name}({', '.join(argument_names(function))});"
+    line = f"    return {call(function, {})};"
     return CFunction(
         f"tb_{name}",
         f"What the machine file chooses for an infeasible wrench: tb_{function.name}.",
         prototype(f"tb_{name}", function),
-        "\n".join(wrap(call, "    ")),
+        "\n".join(wrap(line, "    ")),
     )
 
 

@@ -64,15 +64,18 @@ def _retry(item: Procedure, inputs: Arguments, arithmetic: Arithmetic) -> Result
     again = failed(item.attempts[0], answer)
     second = _run(item.substitute, inputs, arithmetic)
     infeasible = again & second.verdicts[-1]
-    served = list(inputs)
-    served[item.replaced] = [
-        arithmetic.select(infeasible, new, old)
-        for new, old in zip(second.outputs[0], inputs[item.replaced], strict=True)
-    ]
-    for attempt in item.attempts:
-        result = _run(attempt, served, arithmetic)
-        answer = _blend(again, result, answer, arithmetic)
-        again = again & failed(attempt, result)
+    for number, replacement in enumerate(second.outputs):
+        if number:
+            again = again & infeasible
+        served = list(inputs)
+        served[item.replaced] = [
+            arithmetic.select(infeasible, new, old)
+            for new, old in zip(replacement, inputs[item.replaced], strict=True)
+        ]
+        for attempt in item.attempts:
+            result = _run(attempt, served, arithmetic)
+            answer = _blend(again, result, answer, arithmetic)
+            again = again & failed(attempt, result)
     return Result(answer.outputs, [*answer.verdicts, infeasible])
 
 

@@ -25,8 +25,8 @@ from model.reference.planar import Array as Wide
 from model.reference.planar import minors, norm
 from model.reference.wrench_set import slabs
 from model.symbolic.function import Status
-from model.symbolic.kinematics import CONTACT_DISTANCE, SMALLEST_PIVOT
-from model.symbolic.tension import KKT_TOLERANCE, RANK_TOLERANCE
+from model.symbolic.kinematics import CONTACT_DISTANCE, PIVOT_ROUNDINGS, SMALLEST_PIVOT
+from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS, RANK_TOLERANCE
 
 Bools = NDArray[np.bool_]
 
@@ -208,6 +208,11 @@ def rail_forces(p: Problem) -> Expected:
     return away_from_pulleys(p, True, force=force)
 
 
+def smallest_pivot(p: Problem) -> float:
+    """Below this a pivot of S S' counts as zero."""
+    return max(SMALLEST_PIVOT, PIVOT_ROUNDINGS * p.epsilon)
+
+
 def task_velocity(p: Problem) -> Expected:
     """Least squares by the normal equations: loses what the pivot does, once for the answer and
     once for the rates; rounding in directions is as for the structure matrix."""
@@ -215,10 +220,10 @@ def task_velocity(p: Problem) -> Expected:
     velocity = kinematics.task_velocity(p.machine, *arguments)
     rows = kinematics.length_jacobian(p.machine, p["pose"], p["rails"])
     pivot = least_pivot(rows)
-    lost = below(pivot, SMALLEST_PIVOT, ROUNDINGS * p.epsilon)
+    lost = below(pivot, smallest_pivot(p), ROUNDINGS * p.epsilon)
     rates = norm(p["length_rates"]) + norm(p["rail_rates"]) + norm(velocity)
     gain = 1 + extent(p.machine) / np.maximum(nearest_pulley(p), CONTACT_DISTANCE / 2)
-    slack = ROUNDINGS * p.epsilon * gain * rates / np.maximum(pivot, SMALLEST_PIVOT / 2)
+    slack = ROUNDINGS * p.epsilon * gain * rates / np.maximum(pivot, smallest_pivot(p) / 2)
     faults = {Status.SINGULAR: union(touching(p), lost)}
     allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
     return expected(p, {"velocity": velocity}, {"velocity": slack}, allowed)
@@ -229,9 +234,9 @@ def velocity_from_structure(p: Problem) -> Expected:
     arguments = (p["structure"], p["length_rates"], p["rail_rates"])
     velocity = kinematics.velocity_from_structure(p.machine, *arguments)
     pivot = least_pivot(np.swapaxes(p["structure"], -1, -2))
-    lost = below(pivot, SMALLEST_PIVOT, ROUNDINGS * p.epsilon)
+    lost = below(pivot, smallest_pivot(p), ROUNDINGS * p.epsilon)
     rates = norm(p["length_rates"]) + norm(p["rail_rates"]) + norm(velocity)
-    slack = ROUNDINGS * p.epsilon * rates / np.maximum(pivot, SMALLEST_PIVOT / 2)
+    slack = ROUNDINGS * p.epsilon * rates / np.maximum(pivot, smallest_pivot(p) / 2)
     allowed = statuses(p.count, {Status.OK: always(p.count)}, {Status.SINGULAR: lost})
     return expected(p, {"velocity": velocity}, {"velocity": slack}, allowed)
 
@@ -248,7 +253,7 @@ def forward_kinematics(p: Problem) -> Expected:
     vectors = points - found.pose[:, None, :]
     distance = np.maximum(norm(vectors), CONTACT_DISTANCE / 2)
     directions = vectors / distance[..., None]
-    pivot = np.maximum(least_pivot(directions), SMALLEST_PIVOT / 2)
+    pivot = np.maximum(least_pivot(directions), smallest_pivot(p) / 2)
     reach = np.sqrt(size) + np.max(p["lengths"], axis=-1)
     closed_form = ROUNDINGS * p.epsilon * reach * size / np.maximum(spread, limit / 2)
     at_pulley = below(np.min(norm(vectors), axis=-1), CONTACT_DISTANCE, closed_form)
@@ -308,9 +313,9 @@ def load_tension(p: Problem) -> Expected:
     load = control.load_tension(p.machine, p["structure"], p["tension"], p["hand_force"])
     columns = np.swapaxes(p["structure"], -1, -2)
     pivot = least_pivot(columns)
-    lost = below(pivot, SMALLEST_PIVOT, ROUNDINGS * p.epsilon)
+    lost = below(pivot, smallest_pivot(p), ROUNDINGS * p.epsilon)
     forces = norm(p["hand_force"]) + np.sum(np.abs(p["tension"]), axis=-1) + norm(load)
-    slack = ROUNDINGS * p.epsilon * forces / np.maximum(pivot, SMALLEST_PIVOT / 2)
+    slack = ROUNDINGS * p.epsilon * forces / np.maximum(pivot, smallest_pivot(p) / 2)
     faults = {Status.SINGULAR: lost}
     allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
     return expected(p, {"load": load}, {"load": slack}, allowed)
@@ -326,6 +331,7 @@ class Bounded:
     delivered_slack: Wide
     feasible: Bools
     infeasible: Bools
+    gain: Wide
 
 
 def with_bounds(machine: Machine, relative: float) -> Machine:
@@ -379,16 +385,30 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
         # the ray meets the border of a flat set at a small angle
         served = served + infeasible * tolerated(machine, p.epsilon, structure)
     own = relative * bounds.max * gain
+    lost = np.zeros(p.count, dtype=bool)
+    if policy != "paper":
+        # in a corner of nearly parallel cables the C serves a wrench a little further in
+        lost = infeasible & nearly_parallel(p, structure)
+        middle = (bounds.min + bounds.max) / 2 * np.sum(structure, axis=-1)
+        served = served + np.where(lost, INWARDS * norm(answer.delivered - middle), 0)
     if policy != "paper":
         served = served + (feasible & infeasible) * tolerated(machine, p.epsilon, structure)
     return Bounded(
         answer.tension,
         answer.delivered,
-        (own + served * gain)[:, None] + 2 * moved[0],
+        np.where(lost[:, None], np.inf, (own + served * gain)[:, None] + 2 * moved[0]),
         served[:, None] + np.where(infeasible[:, None], 2 * moved[1], 0),
         feasible,
         infeasible,
+        gain,
     )
+
+
+def nearly_parallel(p: Problem, structure: Wide) -> Bools:
+    """Where two cables, not quite parallel, are so near it that a corner of them may close."""
+    sine = np.abs(minors(np.swapaxes(structure, -1, -2)))
+    apart = np.where(sine > np.finfo(sine.dtype).eps * ROUNDINGS, sine, 1)
+    return np.asarray(np.min(apart, axis=(-2, -1)) < 8 * p.epsilon**0.25)
 
 
 def corner_slack(p: Problem, wrench: Wide, answer: Any) -> Wide:
@@ -467,14 +487,37 @@ def distribution(policy: str) -> Judge:
         least, singular = rank(p, p["structure"])
         normal = {Status.OK: found.feasible, Status.INFEASIBLE: found.infeasible}
         # where S is nearly singular its own check may fail as well
+        doubtful = singular[1] | too_near_singular(p, least, found)
         faults = {
             Status.SINGULAR: singular,
-            Status.INACCURATE: (np.zeros(p.count, dtype=bool), singular[1]),
+            Status.INACCURATE: (np.zeros(p.count, dtype=bool), doubtful),
         }
+        if policy == "paper":
+            # no answer within rounding is told as no answer at all
+            normal[Status.INFEASIBLE] = found.infeasible | doubtful
+            normal[Status.OK] = found.feasible | doubtful
         allowed = statuses(p.count, normal, faults)
-        return tension_expected(p, found, least, allowed)
+        answer = tension_expected(p, found, least, allowed)
+        if policy == "paper":
+            forget_doubtful(p, answer, doubtful)
+        return answer
 
     return judge
+
+
+def forget_doubtful(p: Problem, answer: Expected, doubtful: Bools) -> None:
+    """Without an upper bound tensions may be huge, and what they miss the wrench by as well."""
+    answer.tolerance["kkt_residual"] += LARGEST_MISS * p.machine.tension.max
+    for name in ("tension", "delivered"):
+        answer.tolerance[name][doubtful] = np.inf
+
+
+def too_near_singular(p: Problem, least: Wide, found: Bounded) -> Bools:
+    """Where rounding alone may miss the wrench by more than the C lets pass."""
+    high = p.machine.tension.max
+    largest = np.maximum(np.max(found.tension, axis=-1), high) * np.maximum(1, found.gain)
+    rounding = RANK_FACTOR * KKT_TOLERANCE * p.epsilon * largest
+    return np.asarray(rounding > LARGEST_MISS * high * least)
 
 
 def least_norm(p: Problem) -> Expected:
@@ -482,7 +525,8 @@ def least_norm(p: Problem) -> Expected:
     found = solved(p, "closest")
     least, singular = rank(p, p["structure"])
     nowhere = np.zeros(p.count, dtype=bool)
-    faults = {Status.SINGULAR: singular, Status.INACCURATE: (nowhere, found.infeasible)}
+    doubtful = found.infeasible | too_near_singular(p, least, found)
+    faults = {Status.SINGULAR: singular, Status.INACCURATE: (nowhere, doubtful)}
     allowed = statuses(p.count, {Status.OK: found.feasible}, faults)
     return tension_expected(p, found, least, allowed)
 
@@ -531,8 +575,12 @@ def served_wrench(policy: str) -> Judge:
         _, (_, singular) = rank(p, p["structure"])
         allowed |= singular[:, None]
         slack = np.where(singular[:, None], np.longdouble(np.inf), found.delivered_slack)
-        values = {"served": found.delivered}
-        return Expected(values, {"served": slack}, allowed, beside_header=False)
+        limits = p.machine.tension
+        middle = (limits.min + limits.max) / 2 * np.sum(p["structure"], axis=-1)
+        inner = found.delivered
+        inner = inner + INWARDS * (middle - inner)
+        values = {"served": found.delivered, "inner": inner}
+        return Expected(values, dict.fromkeys(values, slack), allowed, beside_header=False)
 
     return judge
 

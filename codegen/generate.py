@@ -62,7 +62,8 @@ def build_model(machine: Machine) -> Model:
     if machine.redundancy > LARGEST_REDUNDANCY:
         raise GenerateError(
             f"{machine.path}: cable: found {len(machine.cables)} cables; allowed: up to "
-            f"{machine.dof + LARGEST_REDUNDANCY} for {machine.dof} degrees of freedom in this version"
+            f"{machine.dof + LARGEST_REDUNDANCY} in this version, for a platform with "
+            f"{machine.dof} degrees of freedom"
         )
     routines = {
         topic: [simplify(lower(function)) for function in functions]

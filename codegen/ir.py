@@ -106,7 +106,8 @@ class Procedure:
 
     def parts(self) -> list[Routine]:
         """Routines in the longest sequence they are called in."""
-        return [self.attempts[0], self.substitute, *self.attempts]
+        served = len(self.substitute.outputs)
+        return [self.attempts[0], self.substitute, *self.attempts * served]
 
 
 COSTED = (Op.ADD, Op.MUL, Op.DIV, Op.SQRT, Op.LT, Op.SELECT)

@@ -1,5 +1,6 @@
 """Arranged nodes -> lines of C99."""
 
+import math
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -39,6 +40,8 @@ class Text:
 
 def literal(value: float) -> str:
     """A constant that reads back to the same number in either precision."""
+    if not math.isfinite(value):
+        raise ValueError("a constant of the generated C is not finite: the machine is degenerate")
     digits = repr(float(value))
     return f"TB_C({digits})" if value >= 0 else f"-TB_C({digits[1:]})"
 

@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
-from codegen.bind import REALS, Generated, GeneratedFunction
-from codegen.compile import LIBRARIES
+from codegen.bind import REALS, Generated, GeneratedFunction, folder_of
 from codegen.expectation import JUDGES, Bools, Expected, Problem
-from codegen.generate import Model, build_model, render, write
+from codegen.generate import Model, build_model, render
 from codegen.hard_cases import HardSampler
 from codegen.samples import Sampler
 from model.machine import Machine, load_machine
@@ -110,8 +109,7 @@ def verify(
     machine = load_machine(machine_path)
     model = build_model(machine)
     accuracies = measured_accuracy(machine, model.items())
-    folder = LIBRARIES.parent / "generated" / machine.name
-    write(render(model, accuracies), folder)
+    folder = folder_of(machine, render(model, accuracies))
     return verify_folder(folder, model, accuracies, points, seed, progress)
 
 

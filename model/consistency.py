@@ -31,7 +31,10 @@ def consistency_problems(machine: Machine, tables: Tables) -> list[Problem]:
     """All problems of a machine whose keys are right by themselves; `tables` is the TOML."""
     problems = [problem for rule in RULES for problem in rule(machine, tables)]
     # Directions are asked of bases that are known to exist and of rails that have a length.
-    return problems or list(_parallel_cables(machine, tables))
+    return problems or [
+        *_parallel_cables(machine, tables),
+        *_bases_on_one_line(machine, tables),
+    ]
 
 
 def _problem(tables: Tables, location: Location, allowed: str) -> Problem:
@@ -197,6 +200,19 @@ def _parallel_cables(machine: Machine, tables: Tables) -> Found:
             "cable",
             f"{len(machine.cables)} cables, parallel wherever in the target the platform is",
             f"bases whose cables pull in {machine.dof} independent directions",
+        )
+
+
+def _bases_on_one_line(machine: Machine, tables: Tables) -> Found:
+    points = np.array([cable.fixed for cable in machine.cables if cable.fixed is not None])
+    if machine.rail_cables or len(points) < machine.dof:
+        return
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    if spread[-1] <= PARALLEL * max(machine.frame.size):
+        yield Problem(
+            "cable",
+            f"{len(points)} bases on one line",
+            "bases off one line, so that the lengths tell on which side the platform is",
         )
 
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
@@ -77,8 +77,9 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
     const real_t load_1 = tension[1] + (structure[5] * t14 - structure[1] * t15);
     const real_t load_2 = tension[2] + (structure[6] * t14 - structure[2] * t15);
     const real_t load_3 = tension[3] + (structure[7] * t14 - structure[3] * t15);
-    const bool t16 = !(TB_C(1e-06) < t3 && TB_C(1e-06) < t13);
-    if (t16) {
+    const real_t t16 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const bool t17 = !(t16 < t3 && t16 < t13);
+    if (t17) {
         load[0] = TB_C(3.0);
         load[1] = TB_C(3.0);
         load[2] = TB_C(3.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -10,8 +10,8 @@
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
- *  Error of torque: double at most 6.9e-18 N m (worst found 3.5e-18 at tension (7.306, 4.868,
- *    9.333, 4.658)); float at most 6.0e-09 N m (worst found 3.0e-09 at tension (3, 9.792,
+ *  Error of torque: double at most 1.4e-17 N m (worst found 3.5e-18 at tension (7.306, 4.868,
+ *    9.333, 4.658)); float at most 1.2e-08 N m (worst found 3.0e-09 at tension (3, 9.792,
  *    6.454, 10)).
  *  Cost, all branches: 4 mul. */
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
@@ -21,8 +21,8 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
  *  pose [m] (2), velocity [m/s] (2)  ->  force [N] (2)
  *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
  *  Domain: velocity with a sum of magnitudes of at most 200 m/s, else TB_OUT_OF_DOMAIN.
- *  Error of force: double at most 2.3e-13 N (worst found 1.1e-13 at pose (0.7084, 0.4185),
- *    velocity (0.1092, -0.3918)); float at most 1.5e-04 N (worst found 7.7e-05 at pose (0.7118,
+ *  Error of force: double at most 4.5e-13 N (worst found 1.1e-13 at pose (0.7084, 0.4185),
+ *    velocity (0.1092, -0.3918)); float at most 3.1e-04 N (worst found 7.7e-05 at pose (0.7118,
  *    0.4519), velocity (0.3397, 0.2066)).
  *  Cost, all branches: 6 add, 4 mul, 2 compare, 4 select. */
 tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t force[2]);
@@ -34,8 +34,8 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Domain: hand_force with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of load: double at most 6.2e-12 N; float at most 3.1e-02 N.
- *  Cost, all branches: 28 add, 34 mul, 2 div, 2 compare. */
+ *  Error of load: double at most 1.2e-11 N; float at most 6.2e-02 N.
+ *  Cost, all branches: 28 add, 35 mul, 2 div, 2 compare, 1 select. */
 tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
     hand_force[2], real_t load[4]);
 
@@ -43,7 +43,7 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
  *    section III-B).
  *  pose [m] (2)  ->  target [m] (4)
  *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
- *  Error of target: double at most 0.0e+00 m; float at most 1.8e-08 m (worst found 9.0e-09 at
+ *  Error of target: double at most 0.0e+00 m; float at most 3.6e-08 m (worst found 9.0e-09 at
  *    pose (0.1364, 0.4618)).
  *  Cost, all branches: 4 select. */
 tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
@@ -55,8 +55,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
  *  Domain: memory with a sum of magnitudes of at most 1.2e+07 N, m, m/s, else TB_OUT_OF_DOMAIN.
  *  Domain: target with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  Domain: measured with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
- *  Error of next_memory: double at most 1.4e-13 N, m, m/s; float at most 7.4e-05 N, m, m/s.
- *  Error of force: double at most 7.1e-13 N; float at most 4.4e-04 N.
+ *  Error of next_memory: double at most 2.7e-13 N, m, m/s; float at most 1.5e-04 N, m, m/s.
+ *  Error of force: double at most 1.4e-12 N; float at most 8.7e-04 N.
  *  Cost, all branches: 28 add, 20 mul, 16 compare, 12 select. */
 tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
     measured[4], real_t next_memory[12], real_t force[4]);
@@ -70,9 +70,9 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *  Domain: length in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
  *  Domain: load with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
  *  Domain: applied with a sum of magnitudes of at most 200 N m, else TB_OUT_OF_DOMAIN.
- *  Error of next_memory: double at most 1.2e-12 m, rad/s, N m, N m, N m; float at most 6.5e-04
+ *  Error of next_memory: double at most 2.4e-12 m, rad/s, N m, N m, N m; float at most 1.3e-03
  *    m, rad/s, N m, N m, N m.
- *  Error of disturbance: double at most 1.3e-16 N m; float at most 7.5e-08 N m.
+ *  Error of disturbance: double at most 2.5e-16 N m; float at most 1.5e-07 N m.
  *  Cost, all branches: 44 add, 36 mul. */
 tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
     load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
@@ -277,13 +277,14 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
     const bool t28 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t29 = t28 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t30 = !t29;
-    const bool t31 = !(TB_C(1e-06) < t21 && TB_C(1e-06) < t27);
+    const real_t t31 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const bool t32 = !(t31 < t21 && t31 < t27);
     if (t30) {
         velocity[0] = TB_C(0.0);
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t31) {
+    if (t32) {
         velocity[0] = TB_C(0.0);
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
@@ -325,8 +326,9 @@ tb_status tb_velocity_from_structure(const real_t structure[8], const real_t len
     const real_t t15 = t14 - t7 * (t11 * t11);
     const real_t velocity_1 = (t5 * t11 - (t12 + structure[7] * t4)) / t15;
     const real_t velocity_0 = -(t5 * t8 + t11 * velocity_1);
-    const bool t16 = !(TB_C(1e-06) < t7 && TB_C(1e-06) < t15);
-    if (t16) {
+    const real_t t16 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const bool t17 = !(t16 < t7 && t16 < t15);
+    if (t17) {
         velocity[0] = TB_C(0.0);
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -16,10 +16,10 @@
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INACCURATE: the optimality conditions are missed by more than rounding.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of tension: double at most 1.4e-13 N (worst found 6.9e-14 at pose (0.2132, 0.3316),
- *    rails (0.7118, 0.1251, 0.001177, 0.4589)); float at most 3.1e-05 N (worst found 1.6e-05 at
- *    pose (0.4568, 0.271), rails (0.1797, 0.4616, 0.7118, 0.1325)).
- *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 40 compare, 114 select. */
+ *  Error of tension: double at most 2.8e-13 N (worst found 6.9e-14 at pose (0.6509, 0.4458),
+ *    rails (0.4639, 0.4614, 0.3024, 0.4556)); float at most 2.3e-04 N (worst found 5.6e-05 at
+ *    pose (0.05944, 0.3893), rails (0, 0.4145, 0.04936, 0.03572)).
+ *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 41 compare, 115 select. */
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4]);
 
 /** Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace  (Yoon eq. 13).
@@ -28,11 +28,12 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
  *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
+ *  TB_SINGULAR: T_min is 0, and so is every zero-wrench tension.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of factor: double at most 4.4e-15 (worst found 2.2e-15 at pose (0.1525, 0.1299), rails
- *    (0, 0.4429, 0.4687, 0)); float at most 2.2e-06 (worst found 1.1e-06 at pose (0.1463,
- *    0.121), rails (7.219e-05, 0.4037, 0.4196, 0)).
- *  Cost, all branches: 111 add, 154 mul, 18 div, 6 sqrt, 16 compare, 80 select. */
+ *  Error of factor: double at most 1.1e-14 (worst found 2.7e-15 at pose (0.2355, 0.3366), rails
+ *    (0.7118, 0.1206, 0.04924, 0.4498)); float at most 5.5e-06 (worst found 1.4e-06 at pose
+ *    (0.5395, 0.1284), rails (0.7118, 0.04448, 0.06566, 0.3912)).
+ *  Cost, all branches: 111 add, 154 mul, 18 div, 6 sqrt, 18 compare, 81 select. */
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t factor[1]);
 
 /** Isotropic force I_F: the largest force in every direction; 0 outside the workspace  (Yoon
@@ -42,8 +43,8 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
  *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of force: double at most 1.2e-14 N (worst found 6.1e-15 at pose (0.2382, 0.2421),
- *    rails (0.7118, 0.004908, 0.3132, 0.1427)); float at most 4.2e-05 N (worst found 2.1e-05 at
+ *  Error of force: double at most 2.4e-14 N (worst found 6.1e-15 at pose (0.2382, 0.2421),
+ *    rails (0.7118, 0.004908, 0.3132, 0.1427)); float at most 8.5e-05 N (worst found 2.1e-05 at
  *    pose (0.7081, 0.2188), rails (0.7118, 0.2154, 0.6728, 0.2235)).
  *  Cost, all branches: 38 add, 42 mul, 4 div, 4 sqrt, 5 compare, 4 select. */
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t force[1]);
@@ -56,10 +57,10 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of force: double at most 1.6e-14 N (worst found 8.0e-15 at pose (0.2073, 0.07243),
- *    rails (0.141, 0.2158, 0.2949, 0.1677)); float at most 1.9e-05 N (worst found 9.6e-06 at
- *    pose (0.7036, 0.03782), rails (0.2777, 0.02611, 0.7118, 0.4614)).
- *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 46 compare, 121 select. */
+ *  Error of force: double at most 2.8e-14 N (worst found 7.1e-15 at pose (0.5283, 0.1052),
+ *    rails (0.4916, 0.2971, 0.5788, 0.1412)); float at most 4.1e-05 N (worst found 1.0e-05 at
+ *    pose (0.7017, 0.3731), rails (0.7118, 0.3875, 0.1813, 0.3349)).
+ *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 47 compare, 122 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1]);
 
 #endif

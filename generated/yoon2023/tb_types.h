@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 771308446b34ef3a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 

@@ -122,8 +122,9 @@ class Retry:
     """Functions that are tried in turn until one does not fail its own check.
 
     The first of `attempts` is asked first. Where it fails, the function `substitute` says whether
-    the argument `argument` is feasible and what is served in its place; then all attempts are asked
-    with that. The answer is TB_INFEASIBLE where something else was served.
+    the argument `argument` is feasible and what is served in its place: its outputs, the best one
+    first. All attempts are asked with the first, and if `argument` is infeasible and they fail,
+    with the next. The answer is TB_INFEASIBLE where something else was served.
     """
 
     name: str

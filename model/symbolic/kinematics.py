@@ -5,6 +5,7 @@ import casadi as ca
 from model.machine import Cable, FixedBase, Machine
 from model.symbolic import arguments
 from model.symbolic.function import (
+    EPSILON,
     Label,
     ModelFunction,
     Verdict,
@@ -29,6 +30,8 @@ from model.symbolic.scalar import Matrix, Scalar, Vector, total
 CONTACT_DISTANCE = 1e-4
 #: Directions count as spanning the plane when the smallest pivot of S S' exceeds this.
 SMALLEST_PIVOT = 1e-6
+#: ... and this many EPSILON, below which a pivot is rounding.
+PIVOT_ROUNDINGS = 4096.0
 
 
 def base_points(machine: Machine, rails: Vector) -> Matrix:
@@ -88,7 +91,8 @@ def touches_a_pulley(lengths: Vector) -> Verdict:
 
 def loses_rank(pivots: Vector) -> Verdict:
     """All cables pull along (nearly) one line."""
-    return not_all_above(pivots, SMALLEST_PIVOT, "the cables are parallel")
+    least = ca.fmax(SMALLEST_PIVOT, PIVOT_ROUNDINGS * EPSILON)
+    return not_all_above(pivots, least, "the cables are parallel")
 
 
 def base_points_function(machine: Machine) -> ModelFunction:

@@ -10,6 +10,7 @@ from model.symbolic.function import (
     ModelFunction,
     Status,
     Verdict,
+    not_all_above,
     scalar_output,
     vector_output,
 )
@@ -95,14 +96,16 @@ def tension_factor_function(machine: Machine) -> ModelFunction:
     """Least over largest zero-wrench tension."""
     rig = Rig(machine)
     rest, outside = rig.at_rest(), rig.outside()
-    factor = smallest(rest.tension) / largest(rest.tension)
+    most = largest(rest.tension)
+    factor = smallest(rest.tension) / most
+    slack = not_all_above([most], 0, "T_min is 0, and so is every zero-wrench tension")
     return ModelFunction(
         "tension_factor",
         "Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace",
         "Yoon eq. 13",
         rig.inputs,
         (scalar_output("factor", "1", where(outside.condition, 0, factor)),),
-        (rig.touching(), rank_lost(rig.space), outside),
+        (rig.touching(), rank_lost(rig.space), slack, outside),
         (rig.label(), Label("rest", rest.tension, "T0")),
     )
 

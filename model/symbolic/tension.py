@@ -40,11 +40,14 @@ from model.symbolic.scalar import (
 from model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
-SLACK = 8.0
+SLACK = 4.0
 #: The KKT residual of a solution reaches at most this many EPSILON times the tension scale.
 KKT_TOLERANCE = 128.0
-#: Without an upper bound, tensions beyond this many times T_max count as no solution.
-FARTHEST = 100.0
+#: A served wrench on the border leaves a corner for its tensions that rounding may close; moved by
+#: this part towards the middle of the feasible wrenches it leaves room, even in single precision.
+INWARDS = 2.0**-18
+#: A wrench missed by more than this part of T_max is not solved, however large the tensions.
+LARGEST_MISS = 1e-3
 #: The structure matrix has lost rank when a pivot of its factorisation is below this many EPSILON.
 RANK_TOLERANCE = 4096.0
 
@@ -90,12 +93,10 @@ Policy = Callable[[WrenchSet, Vector], Vector]
 
 def scaled(feasible: WrenchSet, wrench: Vector) -> Vector:
     """Largest feasible fraction of the wrench; the closest one where there is none."""
-    low, high = feasible.fraction(wrench)
-    missed = ca.logic_or(low > ca.fmin(high, 1), high < 0)
+    fraction, missed = feasible.fraction(wrench)
     closest = feasible.closest(wrench)
     return [
-        where(missed, near, ca.fmin(high, 1) * entry)
-        for near, entry in zip(closest, wrench, strict=True)
+        where(missed, near, fraction * entry) for near, entry in zip(closest, wrench, strict=True)
     ]
 
 
@@ -119,7 +120,7 @@ def least_norm_function(
     low, high = machine.tension.min, machine.tension.max
     space = method(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, high)
-    limit = rounding(KKT_TOLERANCE, ca.SX(high), space)
+    limit = ca.fmin(rounding(KKT_TOLERANCE, ca.SX(high), space), LARGEST_MISS * high)
     missed = ca.logic_not(solution.kkt_residual <= limit)
     return ModelFunction(
         name,
@@ -147,12 +148,13 @@ def served_wrench_function(machine: Machine, policy: str) -> ModelFunction:
     inside = feasible.contains(wanted)
     choose, meaning = POLICIES[policy]
     served = [where(inside, a, b) for a, b in zip(wanted, choose(feasible, wanted), strict=True)]
+    inner = [a + INWARDS * (b - a) for a, b in zip(served, feasible.middle, strict=True)]
     return ModelFunction(
         f"served_wrench_{policy}",
         f"The wrench that is served: an infeasible one {meaning}",
         "facets of the zonotope {S T}",
         (structure, wrench),
-        (vector_output("served", "N", served),),
+        (vector_output("served", "N", served), vector_output("inner", "N", inner)),
         (Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it"),),
         (Label("facet", feasible.halves, "facets of the feasible wrenches, half distances"),),
     )
@@ -165,8 +167,8 @@ def paper_function(machine: Machine) -> ModelFunction:
     low, high = machine.tension.min, machine.tension.max
     space = factored(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, None)
-    scale = ca.fmin(largest(solution.tension), FARTHEST * high)
-    solved = solution.kkt_residual <= rounding(KKT_TOLERANCE, scale, space)
+    limit = rounding(KKT_TOLERANCE, largest(solution.tension), space)
+    solved = solution.kkt_residual <= ca.fmin(limit, LARGEST_MISS * high)
     clipped = [where(solved, ca.fmin(value, high), low) for value in solution.tension]
     exceeds = any_of([value > high for value in solution.tension])
     answer = Solution(clipped, multiply(matrix, clipped), where(solved, solution.kkt_residual, 0))
@@ -239,7 +241,7 @@ def procedures(machine: Machine) -> list[Retry]:
             "Yoon eq. 12",
             tuple(name for name, _, _ in methods(machine)),
             f"served_wrench_{policy}",
-            argument="wrench",
+            "wrench",
         )
         for policy, (_, meaning) in POLICIES.items()
     ]

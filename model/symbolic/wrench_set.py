@@ -13,10 +13,22 @@ import casadi as ca
 from model.symbolic.function import EPSILON
 from model.symbolic.linear import add_scaled, cross, dot, subtract
 from model.symbolic.polytope import PARALLEL
-from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, clamp, smallest, total, where
+from model.symbolic.scalar import (
+    Matrix,
+    Scalar,
+    Vector,
+    all_of,
+    clamp,
+    largest,
+    smallest,
+    total,
+    where,
+)
 
 #: Larger than any squared distance in the wrench space, N^2; safe in single precision.
 FAR = 1e30
+#: A ray misses a facet by rounding within this many EPSILON of T_max.
+RAY_SLACK = 16.0
 
 
 @dataclass(frozen=True)
@@ -56,22 +68,31 @@ class WrenchSet:
         )
 
     def fraction(self, wrench: Sequence[Scalar]) -> tuple[Scalar, Scalar]:
-        """Least and largest s such that s W is feasible; in the wrong order where none is."""
-        lows: Vector = []
-        highs: Vector = []
+        """Largest s <= 1 such that s W is feasible, and whether there is none with s >= 0.
+
+        A ray that misses the set by no more than rounding does not: with T_min = 0, say, it starts
+        on the border.
+        """
+        largest_s, ends = ca.SX(1), []
+        slack = RAY_SLACK * EPSILON * self.high
         for height, centre, half in zip(
             self.heights(wrench), self.heights(self.middle), self.halves, strict=True
         ):
             crosses_it = ca.fabs(height) > 0
             inverse = 1 / height
-            ends = (centre - half) * inverse, (centre + half) * inverse
-            any_fraction = ca.fabs(centre) <= half
-            lows.append(where(crosses_it, ca.fmin(*ends), where(any_fraction, -FAR, FAR)))
-            highs.append(where(crosses_it, ca.fmax(*ends), FAR))
-        low, high = lows[0], highs[0]
-        for other_low, other_high in zip(lows[1:], highs[1:], strict=True):
-            low, high = ca.fmax(low, other_low), ca.fmin(high, other_high)
-        return low, high
+            top = (centre + ca.copysign(half, height)) * inverse
+            largest_s = ca.fmin(largest_s, where(crosses_it, top, 1))
+            sides = (centre - half - slack) * inverse, (centre + half + slack) * inverse
+            beside = ca.fabs(centre) > half + slack
+            ends.append(
+                (
+                    where(crosses_it, ca.fmin(*sides), where(beside, FAR, 0)),
+                    where(crosses_it, ca.fmax(*sides), 1),
+                )
+            )
+        first = largest([ca.SX(0), *(low for low, _ in ends)])
+        missed = first > smallest([ca.SX(1), *(high for _, high in ends)])
+        return ca.fmax(largest_s, 0), missed
 
     def closest(self, wrench: Sequence[Scalar]) -> Vector:
         """Nearest point of the boundary to a wrench outside the set."""

@@ -119,6 +119,8 @@ def test_the_bases_follow_as_closely_as_their_drives_allow(
     # A PID with damping on the measured speed trails by (b v + M a + friction) / k.
     drive = machine.rail_drive
     assert drive is not None and summary.base_lag is not None
+    assert plant.carriage_viscous_friction is not None
+    assert plant.carriage_coulomb_friction is not None
     speeds = np.diff(recording.outputs.rail_target[running(recording)], axis=0)
     speed = np.abs(speeds).max() * machine.control.rate
     resistance = (drive.damping + plant.carriage_viscous_friction) * speed

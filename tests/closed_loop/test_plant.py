@@ -84,6 +84,7 @@ def test_work_becomes_kinetic_energy_when_there_is_no_friction(
         (np.array(now) - then) * rate
         for now, then in zip((world.lengths, world.rails), last, strict=True)
     )
+    assert frictionless.carriage_mass is not None
     winding = machine.cable_motor.inertia / machine.drum.radius**2
     kinetic = 0.5 * (
         winding * np.sum(rates**2)

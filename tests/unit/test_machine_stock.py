@@ -147,6 +147,7 @@ def closed_loop_bandwidth(machine: Machine, late: int) -> float:
     period = 1 / machine.control.rate
     smoothing = -math.expm1(-2 * math.pi * drive.derivative_corner * period)
     mass, damping = plant.carriage_mass, plant.carriage_viscous_friction
+    assert mass is not None and damping is not None
     decay = math.exp(-period * damping / mass)
     reach = (1 - decay) * mass / damping
     for frequency in (0.1 * step for step in range(1, 1000)):
