@@ -494,6 +494,7 @@ def distribution(policy: str) -> Judge:
         }
         if policy == "paper":
             # no answer within rounding is told as no answer at all
+            doubtful = doubtful | nearly_parallel(p, p["structure"])
             normal[Status.INFEASIBLE] = found.infeasible | doubtful
             normal[Status.OK] = found.feasible | doubtful
         allowed = statuses(p.count, normal, faults)
@@ -574,8 +575,10 @@ def served_wrench(policy: str) -> Judge:
         # parallel cables are refused by the distribution before a wrench is served
         _, (_, singular) = rank(p, p["structure"])
         allowed |= singular[:, None]
-        slack = np.where(singular[:, None], np.longdouble(np.inf), found.delivered_slack)
         limits = p.machine.tension
+        least = ROUNDINGS * p.epsilon * limits.max
+        slack = found.delivered_slack + least
+        slack = np.where(singular[:, None], np.longdouble(np.inf), slack)
         middle = (limits.min + limits.max) / 2 * np.sum(p["structure"], axis=-1)
         inner = found.delivered
         inner = inner + INWARDS * (middle - inner)
@@ -634,8 +637,13 @@ def tension_factor(p: Problem) -> Expected:
     """min T0 / max T0 moves by at most twice the largest tension error over T_min."""
     value = quality.tension_factor(p.machine, p["pose"], p["rails"])
     moved = np.max(zero_wrench(p).tension_slack, axis=-1) * direction_gain(p)
-    slack = 2 * moved / p.machine.tension.min + on_the_border(p)
-    return of_quality(p, "factor", value, 0.0, slack, ranked=True)
+    low = p.machine.tension.min
+    slack = (2 * moved / low if low else 0 * moved) + on_the_border(p)
+    answer = of_quality(p, "factor", value, 0.0, slack, ranked=True)
+    if low == 0:
+        # every zero-wrench tension is 0, and they have no ratio
+        answer.allowed[:, Status.SINGULAR] = True
+    return answer
 
 
 def isotropic_force(p: Problem) -> Expected:
