@@ -17,8 +17,9 @@ FLAGS = (
     "-ffp-contract=off",
     "-fno-math-errno",
     "-fno-trapping-math",
-    "-fno-thread-jumps",
 )
+#: gcc would take minima and maxima apart into jumps that no processor predicts; clang does not.
+GCC_FLAGS = ("-fno-thread-jumps",)
 PRECISIONS = {"double": (), "float": ("-DTB_REAL_FLOAT",)}
 
 
@@ -36,7 +37,8 @@ def compile_library(
     if precision not in PRECISIONS:
         raise ValueError(f"precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
     compiler, *extra = shlex.split(os.environ.get("CC") or "gcc")
-    flags = [*extra, *FLAGS, *PRECISIONS[precision], "-shared", "-fPIC"]
+    own = () if "clang" in compiler else GCC_FLAGS
+    flags = [*extra, *FLAGS, *own, *PRECISIONS[precision], "-shared", "-fPIC"]
     library = LIBRARIES / f"{key(sources, include, [compiler, *flags])}.so"
     if not library.exists():
         library.parent.mkdir(parents=True, exist_ok=True)

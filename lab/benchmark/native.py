@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory, mkdtemp
 
-from codegen.compile import FLAGS
+from codegen.compile import FLAGS, GCC_FLAGS
 
 ROOT = Path(__file__).parents[2]
 #: Where this run builds; gone when it ends, so that runs side by side do not meet.
@@ -14,7 +14,7 @@ FOLDER = TemporaryDirectory(prefix="turnbuckle-benchmark-")
 BUILD = Path(FOLDER.name)
 
 #: What our C is shipped with.
-OUR_FLAGS = FLAGS
+OUR_FLAGS = (*FLAGS, *GCC_FLAGS)
 #: What the peers get: at least as much.
 PEER_FLAGS = ("-std=gnu11", "-O3")
 OUR_WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
