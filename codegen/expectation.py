@@ -229,19 +229,18 @@ def task_velocity(p: Problem) -> Expected:
     return expected(p, {"velocity": velocity}, {"velocity": slack}, allowed)
 
 
-def velocity_from_structure(p: Problem) -> Expected:
-    """As task_velocity, with directions that are given and not rounded."""
-    arguments = (p["structure"], p["length_rates"], p["rail_rates"])
-    velocity = kinematics.velocity_from_structure(p.machine, *arguments)
-    pivot = least_pivot(np.swapaxes(p["structure"], -1, -2))
-    lost = below(pivot, smallest_pivot(p), ROUNDINGS * p.epsilon)
-    rates = norm(p["length_rates"]) + norm(p["rail_rates"]) + norm(velocity)
-    slack = ROUNDINGS * p.epsilon * rates / np.maximum(pivot, smallest_pivot(p) / 2)
-    allowed = statuses(p.count, {Status.OK: always(p.count)}, {Status.SINGULAR: lost})
-    return expected(p, {"velocity": velocity}, {"velocity": slack}, allowed)
+@dataclass(frozen=True)
+class Fixed:
+    """Where the reference finds the platform from lengths, and how nearly the C can."""
+
+    found: kinematics.ForwardKinematics
+    slack: Wide
+    nearest: Wide
+    pivot: Wide
+    lost: tuple[Bools, Bools]
 
 
-def forward_kinematics(p: Problem) -> Expected:
+def fixed(p: Problem) -> Fixed:
     """The closed form loses what the spread of the bases does; the step returns all but a square of
     that, and loses what the pivot of the directions does."""
     found = kinematics.forward_kinematics(p.machine, p["lengths"], p["rails"])
@@ -252,18 +251,51 @@ def forward_kinematics(p: Problem) -> Expected:
     collinear = below(spread, limit, ROUNDINGS * p.epsilon * size)
     vectors = points - found.pose[:, None, :]
     distance = np.maximum(norm(vectors), CONTACT_DISTANCE / 2)
-    directions = vectors / distance[..., None]
-    pivot = np.maximum(least_pivot(directions), smallest_pivot(p) / 2)
+    exact_pivot = least_pivot(vectors / distance[..., None])
+    pivot = np.maximum(exact_pivot, smallest_pivot(p) / 2)
     reach = np.sqrt(size) + np.max(p["lengths"], axis=-1)
     closed_form = ROUNDINGS * p.epsilon * reach * size / np.maximum(spread, limit / 2)
     at_pulley = below(np.min(norm(vectors), axis=-1), CONTACT_DISTANCE, closed_form)
     nearest = np.min(distance, axis=-1)
     second_order = closed_form**2 / np.minimum(nearest, 1) / pivot
     slack = np.minimum(closed_form, second_order + ROUNDINGS * p.epsilon * reach / pivot)
-    faults = {Status.SINGULAR: union(collinear, at_pulley)}
+    return Fixed(found, np.asarray(slack), nearest, exact_pivot, union(collinear, at_pulley))
+
+
+def forward_kinematics(p: Problem) -> Expected:
+    """Judges tb_forward_kinematics."""
+    at = fixed(p)
+    allowed = statuses(p.count, {Status.OK: always(p.count)}, {Status.SINGULAR: at.lost})
+    values = {"pose": at.found.pose, "residual": at.found.residual}
+    return expected(p, values, {"pose": at.slack, "residual": 2 * at.slack}, allowed)
+
+
+def locate(p: Problem) -> Expected:
+    """As forward_kinematics; a pose that is off turns the directions, the more the nearer."""
+    at = fixed(p)
+    pose = at.found.pose
+    velocity = kinematics.task_velocity(
+        p.machine, pose, p["rails"], p["length_rates"], p["rail_rates"]
+    )
+    turn = (at.slack + ROUNDINGS * p.epsilon * extent(p.machine)) / at.nearest
+    flat = below(at.pivot, smallest_pivot(p), ROUNDINGS * p.epsilon + turn)
+    rates = norm(p["length_rates"]) + norm(p["rail_rates"]) + norm(velocity)
+    drift = (ROUNDINGS * p.epsilon + turn) * rates / np.maximum(at.pivot, smallest_pivot(p) / 2)
+    values = {
+        "pose": pose,
+        "residual": at.found.residual,
+        "structure": kinematics.structure_matrix(p.machine, pose, p["rails"]),
+        "velocity": velocity,
+    }
+    slack: dict[str, Wide | float] = {
+        "pose": at.slack,
+        "residual": 2 * at.slack,
+        "structure": turn,
+        "velocity": drift,
+    }
+    faults = {Status.SINGULAR: union(at.lost, flat)}
     allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
-    values = {"pose": found.pose, "residual": found.residual}
-    return expected(p, values, {"pose": slack, "residual": 2 * slack}, allowed)
+    return expected(p, values, slack, allowed)
 
 
 def wrench(p: Problem) -> Expected:
@@ -675,8 +707,8 @@ JUDGES: dict[str, Judge] = {
     "length_jacobian": length_jacobian,
     "rail_jacobian": rail_jacobian,
     "task_velocity": task_velocity,
-    "velocity_from_structure": velocity_from_structure,
     "forward_kinematics": forward_kinematics,
+    "locate": locate,
     "wrench": wrench,
     "rail_forces": rail_forces,
     "least_norm_tension": least_norm,

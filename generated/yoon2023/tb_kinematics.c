@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 70e880224e41b2a2, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
@@ -294,50 +294,6 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
     return TB_OK;
 }
 
-tb_status tb_velocity_from_structure(const real_t structure[8], const real_t length_rates[4],
-    const real_t rail_rates[4], real_t velocity[2])
-{
-    if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
-              TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
-              TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
-          && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
-              TB_ABS(length_rates[3]) <= TB_C(400.0)
-          && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
-              TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
-    }
-    const real_t t0 = length_rates[0] - structure[0] * rail_rates[0];
-    const real_t t1 = length_rates[1] - structure[5] * rail_rates[1];
-    const real_t t2 = length_rates[2] - structure[2] * rail_rates[2];
-    const real_t t3 = structure[0] * t0 + structure[1] * t1 + structure[2] * t2;
-    const real_t t4 = length_rates[3] - structure[7] * rail_rates[3];
-    const real_t t5 = t3 + structure[3] * t4;
-    const real_t t6 = structure[0] * structure[0] + structure[1] * structure[1];
-    const real_t t7 = t6 + structure[2] * structure[2] + structure[3] * structure[3];
-    const real_t t8 = TB_C(1.0) / t7;
-    const real_t t9 = structure[0] * structure[4] + structure[1] * structure[5];
-    const real_t t10 = t9 + structure[2] * structure[6] + structure[3] * structure[7];
-    const real_t t11 = t8 * t10;
-    const real_t t12 = t0 * structure[4] + structure[5] * t1 + t2 * structure[6];
-    const real_t t13 = structure[4] * structure[4] + structure[5] * structure[5];
-    const real_t t14 = t13 + structure[6] * structure[6] + structure[7] * structure[7];
-    const real_t t15 = t14 - t7 * (t11 * t11);
-    const real_t velocity_1 = (t5 * t11 - (t12 + structure[7] * t4)) / t15;
-    const real_t velocity_0 = -(t5 * t8 + t11 * velocity_1);
-    const real_t t16 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t17 = !(t16 < t7 && t16 < t15);
-    if (t17) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    velocity[0] = velocity_0;
-    velocity[1] = velocity_1;
-    return TB_OK;
-}
-
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
     real_t residual[1])
 {
@@ -424,7 +380,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     const real_t pose_0 = start_0 + (t50 * t52 - t57 * t60);
     const real_t pose_1 = start_1 + t60;
     const real_t t61 = rails[0] - pose_0;
-    /* what the lengths disagree by: slack or an encoder fault */
+    /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - TB_SQRT(t61 * t61 + pose_1 * pose_1);
     const real_t t62 = TB_C(0.7118) - pose_0;
     const real_t t63 = rails[1] - pose_1;
@@ -456,6 +412,243 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     pose[0] = pose_0;
     pose[1] = pose_1;
     residual[0] = residual_0;
+    return TB_OK;
+}
+
+tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
+    length_rates[4], const real_t rail_rates[4], real_t pose[2], real_t residual[1], real_t
+    structure[8], real_t velocity[2])
+{
+    if (!(lengths[0] >= TB_C(0.0) && lengths[0] <= TB_C(4.6944)
+          && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(4.6944)
+          && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(4.6944)
+          && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(4.6944)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944)
+          && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
+              TB_ABS(length_rates[3]) <= TB_C(400.0)
+          && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
+              TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = (rails[0] + TB_C(0.7118) + rails[2]) * TB_C(0.25);
+    const real_t t1 = rails[0] - t0;
+    const real_t t2 = t1 * t1;
+    const real_t t3 = TB_C(0.25) * (rails[1] + TB_C(0.4618) + rails[3]);
+    const real_t t4 = t3 * t3;
+    const real_t t5 = t2 + t4 - lengths[0] * lengths[0];
+    const real_t t6 = TB_C(0.7118) - t0;
+    const real_t t7 = t6 * t6;
+    const real_t t8 = rails[1] - t3;
+    const real_t t9 = t8 * t8;
+    const real_t t10 = t7 + t9 - lengths[1] * lengths[1];
+    const real_t t11 = rails[2] - t0;
+    const real_t t12 = t11 * t11;
+    const real_t t13 = TB_C(0.4618) - t3;
+    const real_t t14 = t13 * t13;
+    const real_t t15 = t12 + t14 - lengths[2] * lengths[2];
+    const real_t t16 = t0 * t0;
+    const real_t t17 = rails[3] - t3;
+    const real_t t18 = t17 * t17;
+    const real_t t19 = t16 + t18 - lengths[3] * lengths[3];
+    const real_t t20 = TB_C(0.25) * (t5 + t10 + t15 + t19);
+    const real_t t21 = t5 - t20;
+    const real_t t22 = t10 - t20;
+    const real_t t23 = t15 - t20;
+    const real_t t24 = t19 - t20;
+    const real_t t25 = (t1 * t21 + t6 * t22 + t11 * t23 - t0 * t24) * TB_C(0.5);
+    const real_t t26 = t16 + (t12 + (t2 + t7));
+    const real_t t27 = TB_C(1.0) / t26;
+    const real_t t28 = t27 * (t6 * t8 - t1 * t3 + t11 * t13 - t0 * t17);
+    const real_t t29 = TB_C(0.5) * (t8 * t22 - t3 * t21 + t13 * t23 + t17 * t24);
+    const real_t t30 = t18 + (t14 + (t4 + t9)) - t26 * (t28 * t28);
+    const real_t t31 = (t29 - t25 * t28) * (TB_C(1.0) / t30);
+    /* differences of squared lengths are linear in the pose */
+    const real_t start_0 = t0 + (t25 * t27 - t28 * t31);
+    const real_t t32 = rails[0] - start_0;
+    const real_t start_1 = t3 + t31;
+    /* one Gauss-Newton step */
+    const real_t distance_0 = TB_SQRT(t32 * t32 + start_1 * start_1);
+    const real_t t33 = TB_C(1.0) / distance_0;
+    const real_t t34 = t32 * t33;
+    const real_t t35 = distance_0 - lengths[0];
+    const real_t t36 = TB_C(0.7118) - start_0;
+    const real_t t37 = rails[1] - start_1;
+    const real_t distance_1 = TB_SQRT(t36 * t36 + t37 * t37);
+    const real_t t38 = TB_C(1.0) / distance_1;
+    const real_t t39 = t36 * t38;
+    const real_t t40 = distance_1 - lengths[1];
+    const real_t t41 = rails[2] - start_0;
+    const real_t t42 = TB_C(0.4618) - start_1;
+    const real_t distance_2 = TB_SQRT(t41 * t41 + t42 * t42);
+    const real_t t43 = TB_C(1.0) / distance_2;
+    const real_t t44 = t41 * t43;
+    const real_t t45 = distance_2 - lengths[2];
+    const real_t t46 = rails[3] - start_1;
+    const real_t distance_3 = TB_SQRT(start_0 * start_0 + t46 * t46);
+    const real_t t47 = TB_C(1.0) / distance_3;
+    const real_t t48 = start_0 * t47;
+    const real_t t49 = distance_3 - lengths[3];
+    const real_t t50 = t34 * t35 + t39 * t40 + t44 * t45 - t48 * t49;
+    const real_t t51 = t34 * t34 + t39 * t39 + t44 * t44 + t48 * t48;
+    const real_t t52 = TB_C(1.0) / t51;
+    const real_t t53 = t37 * t38;
+    const real_t t54 = start_1 * t33;
+    const real_t t55 = t42 * t43;
+    const real_t t56 = t46 * t47;
+    const real_t t57 = t52 * (t39 * t53 - t34 * t54 + t44 * t55 - t48 * t56);
+    const real_t t58 = t40 * t53 - t35 * t54 + t45 * t55 + t49 * t56 - t50 * t57;
+    const real_t t59 = t54 * t54 + t53 * t53 + t55 * t55 + t56 * t56 - t51 * (t57 * t57);
+    const real_t t60 = t58 / t59;
+    const real_t pose_0 = start_0 + (t50 * t52 - t57 * t60);
+    const real_t pose_1 = start_1 + t60;
+    const real_t t61 = rails[0] - pose_0;
+    const real_t t62 = TB_SQRT(t61 * t61 + pose_1 * pose_1);
+    /* what the lengths disagree by: slack, an encoder fault */
+    const real_t misfit_0 = lengths[0] - t62;
+    const real_t t63 = TB_C(0.7118) - pose_0;
+    const real_t t64 = rails[1] - pose_1;
+    const real_t t65 = TB_SQRT(t63 * t63 + t64 * t64);
+    const real_t misfit_1 = lengths[1] - t65;
+    const real_t t66 = rails[2] - pose_0;
+    const real_t t67 = TB_C(0.4618) - pose_1;
+    const real_t t68 = TB_SQRT(t66 * t66 + t67 * t67);
+    const real_t misfit_2 = lengths[2] - t68;
+    const real_t t69 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t70 = rails[3] - pose_1;
+    const real_t t71 = TB_SQRT(pose_0 * pose_0 + t70 * t70);
+    const real_t misfit_3 = lengths[3] - t71;
+    const real_t residual_0 = TB_SQRT(t69 + misfit_3 * misfit_3);
+    const real_t t72 = TB_C(1.0) / t62;
+    const real_t structure_0 = t61 * t72;
+    const real_t t73 = TB_C(1.0) / t65;
+    const real_t structure_1 = t63 * t73;
+    const real_t t74 = TB_C(1.0) / t68;
+    const real_t structure_2 = t66 * t74;
+    const real_t t75 = TB_C(1.0) / t71;
+    const real_t t76 = pose_0 * t75;
+    const real_t structure_3 = -t76;
+    const real_t t77 = pose_1 * t72;
+    const real_t structure_4 = -t77;
+    const real_t structure_5 = t64 * t73;
+    const real_t structure_6 = t67 * t74;
+    const real_t structure_7 = t70 * t75;
+    const real_t t78 = length_rates[0] - structure_0 * rail_rates[0];
+    const real_t t79 = length_rates[1] - structure_5 * rail_rates[1];
+    const real_t t80 = length_rates[2] - structure_2 * rail_rates[2];
+    const real_t t81 = structure_0 * t78 + structure_1 * t79 + structure_2 * t80;
+    const real_t t82 = length_rates[3] - structure_7 * rail_rates[3];
+    const real_t t83 = t81 - t76 * t82;
+    const real_t t84 = structure_0 * structure_0 + structure_1 * structure_1;
+    const real_t t85 = t84 + structure_2 * structure_2 + t76 * t76;
+    const real_t t86 = TB_C(1.0) / t85;
+    const real_t t87 = structure_1 * structure_5 - structure_0 * t77 + structure_2 *
+        structure_6;
+    const real_t t88 = t86 * (t87 - t76 * structure_7);
+    const real_t t89 = structure_5 * t79 - t77 * t78 + structure_6 * t80;
+    const real_t t90 = t77 * t77 + structure_5 * structure_5 + structure_6 * structure_6;
+    const real_t t91 = t90 + structure_7 * structure_7 - t85 * (t88 * t88);
+    const real_t velocity_1 = (t83 * t88 - (t89 + structure_7 * t82)) / t91;
+    const real_t velocity_0 = -(t83 * t86 + t88 * velocity_1);
+    const bool t92 = TB_C(5.066592400000001e-09) < t26 && TB_C(5.066592400000001e-09) < t30;
+    const bool t93 = !t92;
+    const bool t94 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t95 = t94 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t96 = !t95;
+    const bool t97 = TB_C(0.0001) < t62 && TB_C(0.0001) < t65 && TB_C(0.0001) < t68;
+    const bool t98 = !(t97 && TB_C(0.0001) < t71);
+    const real_t t99 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const bool t100 = !(t99 < t85 && t99 < t91);
+    if (t93) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t96) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t98) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t100) {
+        pose[0] = TB_C(0.0);
+        pose[1] = TB_C(0.0);
+        residual[0] = TB_C(0.0);
+        structure[0] = TB_C(0.0);
+        structure[1] = TB_C(0.0);
+        structure[2] = TB_C(0.0);
+        structure[3] = TB_C(0.0);
+        structure[4] = TB_C(0.0);
+        structure[5] = TB_C(0.0);
+        structure[6] = TB_C(0.0);
+        structure[7] = TB_C(0.0);
+        velocity[0] = TB_C(0.0);
+        velocity[1] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    pose[0] = pose_0;
+    pose[1] = pose_1;
+    residual[0] = residual_0;
+    structure[0] = structure_0;
+    structure[1] = structure_1;
+    structure[2] = structure_2;
+    structure[3] = structure_3;
+    structure[4] = structure_4;
+    structure[5] = structure_5;
+    structure[6] = structure_6;
+    structure[7] = structure_7;
+    velocity[0] = velocity_0;
+    velocity[1] = velocity_1;
     return TB_OK;
 }
 

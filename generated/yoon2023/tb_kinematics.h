@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 02549164dab49e3e, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 70e880224e41b2a2, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -73,18 +73,6 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
 tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
     length_rates[4], const real_t rail_rates[4], real_t velocity[2]);
 
-/** Platform velocity as task_velocity gives it, for a known structure matrix  (Yoon eq. 6, 20
- *    with normalised rows).
- *  structure [-] (2 x 4), length_rates [m/s] (4), rail_rates [m/s] (4)  ->  velocity [m/s] (2)
- *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
- *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
- *  Domain: rail_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
- *  TB_SINGULAR: the cables are parallel.
- *  Error of velocity: double at most 7.0e-12 m/s; float at most 9.6e-03 m/s.
- *  Cost, all branches: 23 add, 31 mul, 2 div, 2 compare, 1 select. */
-tb_status tb_velocity_from_structure(const real_t structure[8], const real_t length_rates[4],
-    const real_t rail_rates[4], real_t velocity[2]);
-
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
  *  lengths [m] (4), rails [m] (4)  ->  pose [m] (2), residual [m] (scalar)
@@ -103,6 +91,27 @@ tb_status tb_velocity_from_structure(const real_t structure[8], const real_t len
  *  Cost, all branches: 96 add, 90 mul, 8 div, 9 sqrt, 6 compare. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
     real_t residual[1]);
+
+/** Pose, residual, structure matrix and velocity at once: forward_kinematics, structure_matrix
+ *    and task_velocity without their common work  (Yoon eq. 19, 21, 20 with normalised rows).
+ *  lengths [m] (4), rails [m] (4), length_rates [m/s] (4), rail_rates [m/s] (4)  ->  pose [m]
+ *    (2), residual [m] (scalar), structure [-] (2 x 4), velocity [m/s] (2)
+ *  Domain: lengths in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
+ *  Domain: rail_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the bases lie on one line.
+ *  TB_SINGULAR: the platform is at a pulley.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_SINGULAR: the cables are parallel.
+ *  Error of pose: double at most 3.7e-10 m; float at most 4.2e-04 m.
+ *  Error of residual: double at most 8.9e-10 m; float at most 6.5e-04 m.
+ *  Error of structure: double at most 4.8e-11; float at most 2.1e-03.
+ *  Error of velocity: double at most 6.8e-07 m/s; float at most 4.1e-02 m/s.
+ *  Cost, all branches: 121 add, 129 mul, 14 div, 9 sqrt, 12 compare, 1 select. */
+tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
+    length_rates[4], const real_t rail_rates[4], real_t pose[2], real_t residual[1], real_t
+    structure[8], real_t velocity[2]);
 
 /** Rail Jacobian dl/ds  (Yoon eq. 3, 20).
  *  pose [m] (2), rails [m] (4)  ->  jacobian [-] (4 x 4)

@@ -92,26 +92,6 @@ def task_velocity(
     return least_squares(length_jacobian(machine, pose, rails), reel)
 
 
-def velocity_from_structure(
-    machine: Machine,
-    structure: npt.ArrayLike,
-    length_rates: npt.ArrayLike,
-    rail_rates: npt.ArrayLike,
-) -> Array:
-    """As task_velocity, for a known structure matrix (..., 2, n): its columns are the directions.
-
-    A base that moves by ds e_i lengthens its cable by lhat_i . e_i ds (Yoon eq. 3 over l_i).
-    """
-    structure, length_rates, rail_rates = as_floating(structure, length_rates, rail_rates)
-    reel = np.array(np.broadcast_to(length_rates, (*structure.shape[:-2], structure.shape[-1])))
-    for rail, cable in enumerate(machine.rail_cables):
-        base = machine.cables[cable].base
-        assert isinstance(base, RailBase)
-        along = np.sum(structure[..., cable] * np.asarray(base.direction), axis=-1)
-        reel[..., cable] = reel[..., cable] - along * rail_rates[..., rail]
-    return least_squares(-np.swapaxes(structure, -1, -2), reel)
-
-
 def forward_kinematics(
     machine: Machine, lengths: npt.ArrayLike, rails: npt.ArrayLike
 ) -> ForwardKinematics:

@@ -8,6 +8,7 @@ from model.symbolic.function import (
     EPSILON,
     Label,
     ModelFunction,
+    Output,
     Verdict,
     matrix_output,
     not_all_above,
@@ -222,23 +223,6 @@ def task_velocity_function(machine: Machine) -> ModelFunction:
     )
 
 
-def velocity_from_structure_function(machine: Machine) -> ModelFunction:
-    """Platform velocity where the structure matrix is known already."""
-    structure = arguments.structure(machine)
-    length_rates, rail_rates = arguments.rates(machine)
-    velocity, pivots = least_squares_velocity(
-        machine, transpose(structure.rows()), length_rates.scalars(), rail_rates.scalars()
-    )
-    return ModelFunction(
-        "velocity_from_structure",
-        "Platform velocity as task_velocity gives it, for a known structure matrix",
-        "Yoon eq. 6, 20 with normalised rows",
-        (structure, length_rates, rail_rates),
-        (vector_output("velocity", "m/s", velocity),),
-        (loses_rank(pivots),),
-    )
-
-
 def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Vector]:
     """Position from distances, closed form; returns (position [m], pivots [m^2]).
 
@@ -264,28 +248,78 @@ def gauss_newton_step(points: Matrix, lengths: Vector, pose: Vector) -> tuple[Ve
     return add_scaled(pose, 1, step), distances
 
 
+class Fix:
+    """The pose that fits cable lengths best, and what the lengths disagree by (Yoon eq. 19)."""
+
+    def __init__(self, machine: Machine, lengths: Vector, rails: Vector) -> None:
+        points = base_points(machine, rails)
+        self.machine = machine
+        self.start, self.spread = multilateration(points, lengths)
+        self.pose, self.distances = gauss_newton_step(points, lengths, self.start)
+        self.vectors = [subtract(point, self.pose) for point in points]
+        self.reach = [norm(vector) for vector in self.vectors]
+        self.misfit = subtract(lengths, self.reach)
+
+    def verdicts(self) -> tuple[Verdict, ...]:
+        """Where the lengths tell no pose."""
+        least = (1e-4 * max(self.machine.frame.size)) ** 2
+        return (
+            not_all_above(self.spread, least, "the bases lie on one line"),
+            not_all_above(self.distances, CONTACT_DISTANCE, "the platform is at a pulley"),
+        )
+
+    def outputs(self) -> tuple[Output, ...]:
+        """Pose and residual."""
+        return vector_output("pose", "m", self.pose), scalar_output(
+            "residual", "m", norm(self.misfit)
+        )
+
+    def labels(self) -> tuple[Label, ...]:
+        """Names for what is computed on the way."""
+        return (
+            Label("start", self.start, "differences of squared lengths are linear in the pose"),
+            Label("distance", self.distances, "one Gauss-Newton step"),
+            Label("misfit", self.misfit, "what the lengths disagree by: slack, an encoder fault"),
+        )
+
+
 def forward_kinematics_function(machine: Machine) -> ModelFunction:
     """Pose from cable lengths and rail coordinates."""
     lengths, rails = arguments.lengths(machine), arguments.rails(machine)
-    points = base_points(machine, rails.scalars())
-    start, spread = multilateration(points, lengths.scalars())
-    pose, distances = gauss_newton_step(points, lengths.scalars(), start)
-    misfit = subtract(lengths.scalars(), [norm(subtract(point, pose)) for point in points])
-    smallest_spread = (1e-4 * max(machine.frame.size)) ** 2
-    collinear = not_all_above(spread, smallest_spread, "the bases lie on one line")
-    at_pulley = not_all_above(distances, CONTACT_DISTANCE, "the platform is at a pulley")
+    fix = Fix(machine, lengths.scalars(), rails.scalars())
     return ModelFunction(
         "forward_kinematics",
         "Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit",
         "Yoon eq. 19",
         (lengths, rails),
-        (vector_output("pose", "m", pose), scalar_output("residual", "m", norm(misfit))),
-        (collinear, at_pulley),
+        fix.outputs(),
+        fix.verdicts(),
+        fix.labels(),
+    )
+
+
+def locate_function(machine: Machine) -> ModelFunction:
+    """All that a controller needs to know of where the platform is, in one call."""
+    lengths, rails = arguments.lengths(machine), arguments.rails(machine)
+    length_rates, rail_rates = arguments.rates(machine)
+    fix = Fix(machine, lengths.scalars(), rails.scalars())
+    rays = directions(fix.vectors, fix.reach)
+    velocity, pivots = least_squares_velocity(
+        machine, rays, length_rates.scalars(), rail_rates.scalars()
+    )
+    return ModelFunction(
+        "locate",
+        "Pose, residual, structure matrix and velocity at once: forward_kinematics, "
+        "structure_matrix and task_velocity without their common work",
+        "Yoon eq. 19, 21, 20 with normalised rows",
+        (lengths, rails, length_rates, rail_rates),
         (
-            Label("start", start, "differences of squared lengths are linear in the pose"),
-            Label("distance", distances, "one Gauss-Newton step"),
-            Label("misfit", misfit, "what the lengths disagree by: slack or an encoder fault"),
+            *fix.outputs(),
+            matrix_output("structure", "1", transpose(rays)),
+            vector_output("velocity", "m/s", velocity),
         ),
+        (*fix.verdicts(), touches_a_pulley(fix.reach), loses_rank(pivots)),
+        fix.labels(),
     )
 
 
@@ -298,8 +332,8 @@ def functions(machine: Machine) -> list[ModelFunction]:
         structure_matrix_function(machine),
         length_jacobian_function(machine),
         task_velocity_function(machine),
-        velocity_from_structure_function(machine),
         forward_kinematics_function(machine),
+        locate_function(machine),
     ]
     if machine.rail_cables:
         result.append(rail_jacobian_function(machine))

@@ -63,19 +63,13 @@ static void filter_rates(size_t count, const real_t measured[], real_t previous[
 static tb_status locate_platform(tb_controller *controller, const tb_inputs *inputs,
                                  real_t structure[], tb_outputs *outputs)
 {
-    tb_status status =
-        tb_forward_kinematics(inputs->lengths, inputs->rails, outputs->pose, &outputs->residual);
-    if (status == TB_OK) {
-        status = tb_structure_matrix(outputs->pose, inputs->rails, structure);
-    }
-    if (status != TB_OK) {
-        return status;
-    }
-    copy(TB_DOF, outputs->pose, controller->pose);
     filter_rates(TB_CABLES, inputs->lengths, controller->lengths, controller->length_rates);
     filter_rates(TB_RAILS, inputs->rails, controller->rails, controller->rail_rates);
-    return tb_velocity_from_structure(structure, controller->length_rates,
-                                      controller->rail_rates, outputs->velocity);
+    tb_status const status =
+        tb_locate(inputs->lengths, inputs->rails, controller->length_rates, controller->rail_rates,
+                  outputs->pose, &outputs->residual, structure, outputs->velocity);
+    copy(TB_DOF, outputs->pose, controller->pose);
+    return status;
 }
 
 static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
