@@ -116,7 +116,7 @@ def domain(function: ModelFunction) -> list[str]:
     """When the function refuses, and what it then returns."""
     lines: list[str] = []
     for port in function.inputs:
-        if port.size:
+        if port.size and port.guarded:
             lines += fill(f"Domain: {port.name} {span(port)}, else TB_OUT_OF_DOMAIN.", "")
     for verdict in function.verdicts:
         lines += fill(f"TB_{verdict.status.name}: {verdict.meaning}.", "")
@@ -206,6 +206,8 @@ def guard(function: ModelFunction) -> list[str]:
 def domain_tests(port: Input) -> list[str]:
     """Tests that hold inside the domain of an argument; they fail for a NaN."""
     names = [f"{port.name}[{entry}]" for entry in range(port.size)]
+    if not port.guarded:
+        return []
     if port.bounds_sum and names:
         magnitudes = " + ".join(f"TB_ABS({name})" for name in names)
         return [f"{magnitudes} <= {literal(port.high[0])}"]

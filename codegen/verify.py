@@ -349,12 +349,15 @@ def call(function: GeneratedFunction, arguments: list[NDArray[Any]]) -> dict[str
 
 def outside(port: Input, entry: int) -> list[float]:
     """Values of one entry that must be refused."""
+    broken = [float("nan"), float("inf"), float("-inf"), 1e30, -1e30]
+    if not port.guarded:
+        return broken
     margin = CLEARLY_BEYOND - 1
     low, high = port.low[entry], port.high[entry]
     reach = 2 * high if port.bounds_sum else high
     span = high - low
     beyond = [reach + margin * span, (low if not port.bounds_sum else -reach) - margin * span]
-    return [float("nan"), float("inf"), float("-inf"), 1e30, -1e30, *beyond]
+    return [*broken, *beyond]
 
 
 def recording(machine: Machine) -> tuple[NDArray[Any], ...]:

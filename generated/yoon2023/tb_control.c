@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 70e880224e41b2a2, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 4d11f7934346b6e8, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
@@ -114,32 +114,6 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4])
 tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
     measured[4], real_t next_memory[12], real_t force[4])
 {
-    if (!(TB_ABS(memory[0]) + TB_ABS(memory[1]) + TB_ABS(memory[2]) + TB_ABS(memory[3]) +
-              TB_ABS(memory[4]) + TB_ABS(memory[5]) + TB_ABS(memory[6]) + TB_ABS(memory[7]) +
-              TB_ABS(memory[8]) + TB_ABS(memory[9]) + TB_ABS(memory[10]) + TB_ABS(memory[11])
-              <= TB_C(12000000.0)
-          && TB_ABS(target[0]) + TB_ABS(target[1]) + TB_ABS(target[2]) + TB_ABS(target[3]) <=
-              TB_C(5.6944)
-          && TB_ABS(measured[0]) + TB_ABS(measured[1]) + TB_ABS(measured[2]) +
-              TB_ABS(measured[3]) <= TB_C(5.6944))) {
-        next_memory[0] = TB_C(0.0);
-        next_memory[1] = TB_C(0.0);
-        next_memory[2] = TB_C(0.0);
-        next_memory[3] = TB_C(0.0);
-        next_memory[4] = TB_C(0.0);
-        next_memory[5] = TB_C(0.0);
-        next_memory[6] = TB_C(0.0);
-        next_memory[7] = TB_C(0.0);
-        next_memory[8] = TB_C(0.0);
-        next_memory[9] = TB_C(0.0);
-        next_memory[10] = TB_C(0.0);
-        next_memory[11] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
-    }
     const real_t t0 = target[0] - measured[0];
     const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
     const real_t next_memory_2 = memory[2] + TB_C(0.7153904566639707) * t1;
@@ -170,6 +144,29 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
     const real_t force_1 = tb_min(tb_max(t6, -TB_C(60.0)), TB_C(60.0));
     const real_t force_2 = tb_min(tb_max(t10, -TB_C(60.0)), TB_C(60.0));
     const real_t force_3 = tb_min(tb_max(t14, -TB_C(60.0)), TB_C(60.0));
+    const bool t16 = TB_ABS(t2) <= TB_C(1000000000.0) && TB_ABS(t6) <= TB_C(1000000000.0);
+    const bool t17 = t16 && TB_ABS(t10) <= TB_C(1000000000.0) && TB_ABS(t14) <=
+        TB_C(1000000000.0);
+    const bool t18 = !t17;
+    if (t18) {
+        next_memory[0] = TB_C(0.0);
+        next_memory[1] = TB_C(0.0);
+        next_memory[2] = TB_C(0.0);
+        next_memory[3] = TB_C(0.0);
+        next_memory[4] = TB_C(0.0);
+        next_memory[5] = TB_C(0.0);
+        next_memory[6] = TB_C(0.0);
+        next_memory[7] = TB_C(0.0);
+        next_memory[8] = TB_C(0.0);
+        next_memory[9] = TB_C(0.0);
+        next_memory[10] = TB_C(0.0);
+        next_memory[11] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        force[1] = TB_C(0.0);
+        force[2] = TB_C(0.0);
+        force[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
     next_memory[0] = next_memory_0;
     next_memory[1] = measured[0];
     next_memory[2] = next_memory_2;
@@ -192,46 +189,6 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
 tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
     load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4])
 {
-    if (!(TB_ABS(memory[0]) + TB_ABS(memory[1]) + TB_ABS(memory[2]) + TB_ABS(memory[3]) +
-              TB_ABS(memory[4]) + TB_ABS(memory[5]) + TB_ABS(memory[6]) + TB_ABS(memory[7]) +
-              TB_ABS(memory[8]) + TB_ABS(memory[9]) + TB_ABS(memory[10]) + TB_ABS(memory[11]) +
-              TB_ABS(memory[12]) + TB_ABS(memory[13]) + TB_ABS(memory[14]) + TB_ABS(memory[15])
-              + TB_ABS(memory[16]) + TB_ABS(memory[17]) + TB_ABS(memory[18]) +
-              TB_ABS(memory[19]) <= TB_C(20000000.0)
-          && length[0] >= TB_C(0.0) && length[0] <= TB_C(4.6944)
-          && length[1] >= TB_C(0.0) && length[1] <= TB_C(4.6944)
-          && length[2] >= TB_C(0.0) && length[2] <= TB_C(4.6944)
-          && length[3] >= TB_C(0.0) && length[3] <= TB_C(4.6944)
-          && TB_ABS(load[0]) + TB_ABS(load[1]) + TB_ABS(load[2]) + TB_ABS(load[3]) <=
-              TB_C(40000.0)
-          && TB_ABS(applied[0]) + TB_ABS(applied[1]) + TB_ABS(applied[2]) + TB_ABS(applied[3])
-              <= TB_C(200.0))) {
-        next_memory[0] = TB_C(0.0);
-        next_memory[1] = TB_C(0.0);
-        next_memory[2] = TB_C(0.0);
-        next_memory[3] = TB_C(0.0);
-        next_memory[4] = TB_C(0.0);
-        next_memory[5] = TB_C(0.0);
-        next_memory[6] = TB_C(0.0);
-        next_memory[7] = TB_C(0.0);
-        next_memory[8] = TB_C(0.0);
-        next_memory[9] = TB_C(0.0);
-        next_memory[10] = TB_C(0.0);
-        next_memory[11] = TB_C(0.0);
-        next_memory[12] = TB_C(0.0);
-        next_memory[13] = TB_C(0.0);
-        next_memory[14] = TB_C(0.0);
-        next_memory[15] = TB_C(0.0);
-        next_memory[16] = TB_C(0.0);
-        next_memory[17] = TB_C(0.0);
-        next_memory[18] = TB_C(0.0);
-        next_memory[19] = TB_C(0.0);
-        disturbance[0] = TB_C(0.0);
-        disturbance[1] = TB_C(0.0);
-        disturbance[2] = TB_C(0.0);
-        disturbance[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
-    }
     const real_t t0 = TB_C(6186.015601338797) * (length[0] - memory[0]);
     const real_t next_memory_1 = TB_C(0.969069921993306) * memory[1] + t0;
     const real_t next_memory_2 = applied[0] - TB_C(0.005) * load[0];
@@ -270,6 +227,38 @@ tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4]
         next_memory_18);
     const real_t next_memory_19 = TB_C(0.969069921993306) * memory[19] + t14 +
         TB_C(0.015465039003346994) * t15;
+    const bool t16 = TB_ABS(next_memory_4) <= TB_C(1000000000.0) && TB_ABS(next_memory_9) <=
+        TB_C(1000000000.0);
+    const bool t17 = t16 && TB_ABS(next_memory_14) <= TB_C(1000000000.0);
+    const bool t18 = t17 && TB_ABS(next_memory_19) <= TB_C(1000000000.0);
+    const bool t19 = !t18;
+    if (t19) {
+        next_memory[0] = TB_C(0.0);
+        next_memory[1] = TB_C(0.0);
+        next_memory[2] = TB_C(0.0);
+        next_memory[3] = TB_C(0.0);
+        next_memory[4] = TB_C(0.0);
+        next_memory[5] = TB_C(0.0);
+        next_memory[6] = TB_C(0.0);
+        next_memory[7] = TB_C(0.0);
+        next_memory[8] = TB_C(0.0);
+        next_memory[9] = TB_C(0.0);
+        next_memory[10] = TB_C(0.0);
+        next_memory[11] = TB_C(0.0);
+        next_memory[12] = TB_C(0.0);
+        next_memory[13] = TB_C(0.0);
+        next_memory[14] = TB_C(0.0);
+        next_memory[15] = TB_C(0.0);
+        next_memory[16] = TB_C(0.0);
+        next_memory[17] = TB_C(0.0);
+        next_memory[18] = TB_C(0.0);
+        next_memory[19] = TB_C(0.0);
+        disturbance[0] = TB_C(0.0);
+        disturbance[1] = TB_C(0.0);
+        disturbance[2] = TB_C(0.0);
+        disturbance[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
     next_memory[0] = length[0];
     next_memory[1] = next_memory_1;
     next_memory[2] = next_memory_2;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 70e880224e41b2a2, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 4d11f7934346b6e8, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -52,12 +52,10 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
  *    section III-E, Fig. 13).
  *  memory [N, m, m/s] (4 x 3), target [m] (4), measured [m] (4)  ->  next_memory [N, m, m/s] (4
  *    x 3), force [N] (4)
- *  Domain: memory with a sum of magnitudes of at most 1.2e+07 N, m, m/s, else TB_OUT_OF_DOMAIN.
- *  Domain: target with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
- *  Domain: measured with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
+ *  TB_OUT_OF_DOMAIN: an argument is not finite, or leads beyond 1e+09.
  *  Error of next_memory: double at most 2.7e-13 N, m, m/s; float at most 1.5e-04 N, m, m/s.
  *  Error of force: double at most 1.4e-12 N; float at most 8.7e-04 N.
- *  Cost, all branches: 28 add, 20 mul, 16 compare, 12 select. */
+ *  Cost, all branches: 28 add, 20 mul, 20 compare, 12 select. */
 tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
     measured[4], real_t next_memory[12], real_t force[4]);
 
@@ -65,15 +63,11 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *    discretised by Tustin's rule).
  *  memory [m, rad/s, N m, N m, N m] (4 x 5), length [m] (4), load [N] (4), applied [N m] (4)
  *    ->  next_memory [m, rad/s, N m, N m, N m] (4 x 5), disturbance [N m] (4)
- *  Domain: memory with a sum of magnitudes of at most 2e+07 m, rad/s, N m, N m, N m, else
- *    TB_OUT_OF_DOMAIN.
- *  Domain: length in [0, 4.6944] m, else TB_OUT_OF_DOMAIN.
- *  Domain: load with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
- *  Domain: applied with a sum of magnitudes of at most 200 N m, else TB_OUT_OF_DOMAIN.
+ *  TB_OUT_OF_DOMAIN: an argument is not finite, or leads beyond 1e+09.
  *  Error of next_memory: double at most 2.4e-12 m, rad/s, N m, N m, N m; float at most 1.3e-03
  *    m, rad/s, N m, N m, N m.
  *  Error of disturbance: double at most 2.5e-16 N m; float at most 1.5e-07 N m.
- *  Cost, all branches: 44 add, 36 mul. */
+ *  Cost, all branches: 44 add, 36 mul, 4 compare. */
 tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
     load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4]);
 

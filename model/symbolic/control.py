@@ -6,10 +6,20 @@ import casadi as ca
 
 from model.machine import FixedBase, Machine, Wall
 from model.symbolic import arguments
-from model.symbolic.function import Label, ModelFunction, Output, vector_output
+from model.symbolic.function import (
+    Label,
+    ModelFunction,
+    Output,
+    finite_results,
+    judged_by_results,
+    vector_output,
+)
 from model.symbolic.kinematics import loses_rank
 from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract
 from model.symbolic.scalar import Scalar, Vector, clamp, where
+
+#: Largest result that control laws answer, in its own unit: far beyond any machine.
+LARGEST = 1e9
 
 
 def motor_torques_function(machine: Machine) -> ModelFunction:
@@ -77,18 +87,20 @@ def base_pid_function(machine: Machine) -> ModelFunction:
     assert drive is not None
     count = len(machine.rail_cables)
     period = 1 / machine.control.rate
-    memory = arguments.memory((count, 3), "N, m, m/s")
-    target = arguments.rails(machine, "target")
-    measured = arguments.rails(machine, "measured")
+    memory = judged_by_results(arguments.memory((count, 3), "N, m, m/s"))
+    target = judged_by_results(arguments.rails(machine, "target"))
+    measured = judged_by_results(arguments.rails(machine, "measured"))
     weight = 1 - math.exp(-2 * math.pi * drive.derivative_corner * period)
     next_memory: Vector = []
     forces: Vector = []
+    demands: Vector = []
     for (integral, previous, speed), wish, now in zip(
         memory.rows(), target.scalars(), measured.scalars(), strict=True
     ):
         error = wish - now
         speed = speed + weight * ((now - previous) / period - speed)
         wanted = drive.stiffness * error + integral - drive.damping * speed
+        demands.append(wanted)
         force = clamp(wanted, -drive.force_limit, drive.force_limit)
         winding_up = ca.logic_or(
             ca.logic_and(wanted > drive.force_limit, error > 0),
@@ -106,6 +118,7 @@ def base_pid_function(machine: Machine) -> ModelFunction:
             Output("next_memory", (count, 3), "N, m, m/s", next_memory),
             vector_output("force", "N", forces),
         ),
+        (finite_results(demands, LARGEST),),
     )
 
 
@@ -144,10 +157,10 @@ def observe_disturbance_function(machine: Machine) -> ModelFunction:
         1 / (ratio + 1),
         2 * machine.control.rate / (ratio + 1),
     )
-    memory = arguments.memory((count, 5), "m, rad/s, N m, N m, N m")
-    length = arguments.lengths(machine, "length")
-    load = arguments.tension(machine, "load")
-    applied = arguments.torque(machine, "applied")
+    memory = judged_by_results(arguments.memory((count, 5), "m, rad/s, N m, N m, N m"))
+    length = judged_by_results(arguments.lengths(machine, "length"))
+    load = judged_by_results(arguments.tension(machine, "load"))
+    applied = judged_by_results(arguments.torque(machine, "applied"))
     motor, radius = machine.cable_motor, machine.drum.radius
     next_memory: Vector = []
     disturbances: Vector = []
@@ -179,6 +192,7 @@ def observe_disturbance_function(machine: Machine) -> ModelFunction:
             Output("next_memory", (count, 5), "m, rad/s, N m, N m, N m", next_memory),
             vector_output("disturbance", "N m", disturbances),
         ),
+        (finite_results(disturbances, LARGEST),),
     )
 
 

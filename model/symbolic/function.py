@@ -28,7 +28,8 @@ class Input:
     """An argument: `shape` entries in `unit` that the function refuses outside their bounds.
 
     Entry k lies within [low, high] of k; where `bounds_sum`, the magnitudes add up to at most
-    high[0] instead: one comparison.
+    high[0] instead: one comparison. An argument that is not `guarded` is judged by the results it
+    leads to, as `finite_results` does.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Input:
     high: tuple[float, ...]
     symbols: ca.SX = field(repr=False)
     bounds_sum: bool = False
+    guarded: bool = True
 
     @property
     def size(self) -> int:
@@ -88,6 +90,16 @@ def not_all_above(values: Vector, least: Scalar, meaning: str) -> Verdict:
     """TB_SINGULAR unless every value is known to exceed a limit; a NaN never is."""
     exceeds = all_of([value > least for value in values])
     return Verdict(ca.logic_not(exceeds), Status.SINGULAR, meaning)
+
+
+def finite_results(values: Vector, most: float) -> Verdict:
+    """TB_OUT_OF_DOMAIN where a result that all arguments reach is not known to be of some size."""
+    fine = all_of([ca.fabs(value) <= most for value in values])
+    return Verdict(
+        ca.logic_not(fine),
+        Status.OUT_OF_DOMAIN,
+        f"an argument is not finite, or leads beyond {most:g}",
+    )
 
 
 @dataclass(frozen=True)
@@ -152,6 +164,11 @@ def bounded_input(name: str, shape: tuple[int, ...], unit: str, most: float) -> 
     entry = make_input(name, shape, unit, [0.0], [0.0])
     bound = (most * entry.size,) * entry.size
     return replace(entry, low=tuple(-x for x in bound), high=bound, bounds_sum=True)
+
+
+def judged_by_results(entry: Input) -> Input:
+    """The argument without a guard of its own."""
+    return replace(entry, guarded=False)
 
 
 def vector_output(name: str, unit: str, values: Vector, fallback: float = 0.0) -> Output:

@@ -318,15 +318,14 @@ tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB
 tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,
                              tb_outputs *outputs)
 {
-    tb_controller next;
-    copy_memory(controller, &next);
-    if (next.interrupted != 0) {
-        resume(&next, inputs->lengths, inputs->rails);
+    tb_controller before;
+    copy_memory(controller, &before);
+    if (controller->interrupted != 0) {
+        resume(controller, inputs->lengths, inputs->rails);
     }
-    tb_status const status = run_cycle(&next, inputs, outputs);
-    if (is_good(status)) {
-        copy_memory(&next, controller);
-    } else {
+    tb_status const status = run_cycle(controller, inputs, outputs);
+    if (!is_good(status)) {
+        copy_memory(&before, controller);
         controller->interrupted = 1;
         hold_safe(controller, outputs);
     }
