@@ -46,7 +46,8 @@ verify: $(SETUP) ## check the generated C of every machine against the independe
 
 # One library a machine and target; each is compiled again when any of its sources changed.
 TARGETS := double float cortex-m4f
-CFLAGS := -std=c11 -O2 -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-thread-jumps -Wall -Wextra -Werror
+CFLAGS := -std=c11 -O2 -ffp-contract=off -fno-math-errno -fno-trapping-math \
+  -fno-thread-jumps -fno-tree-vectorize -fno-tree-slp-vectorize -Wall -Wextra -Werror
 CC_double := gcc $(CFLAGS)
 CC_float := gcc $(CFLAGS) -DTB_REAL_FLOAT
 CC_cortex-m4f := arm-none-eabi-gcc $(CFLAGS) -DTB_REAL_FLOAT \

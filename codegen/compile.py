@@ -18,8 +18,9 @@ FLAGS = (
     "-fno-math-errno",
     "-fno-trapping-math",
 )
-#: gcc would take minima and maxima apart into jumps that no processor predicts; clang does not.
-GCC_FLAGS = ("-fno-thread-jumps",)
+#: gcc would take minima and maxima apart into jumps that no processor predicts, and copy in pairs
+#: what was just written one by one, which has to wait; clang does neither.
+GCC_FLAGS = ("-fno-thread-jumps", "-fno-tree-vectorize", "-fno-tree-slp-vectorize")
 PRECISIONS = {"double": (), "float": ("-DTB_REAL_FLOAT",)}
 
 
