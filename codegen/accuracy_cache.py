@@ -3,8 +3,10 @@
 import hashlib
 import inspect
 import json
+import multiprocessing
 import os
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -22,15 +24,41 @@ _METHOD = (accuracy, double_double, evaluate, ir, samples)
 def measured_accuracy(machine: Machine, routines: list[Routine | Procedure]) -> dict[str, Accuracy]:
     """Accuracy of every routine by name, from the cache where it was measured before."""
     method = method_hash()
-    result: dict[str, Accuracy] = {}
-    for routine in routines:
-        path = CACHE / f"{key(machine, routine, method)}.json"
-        found = read(path)
-        if found is None:
-            found = measure(machine, routine)
-            keep(path, found)
-        result[routine.function.name] = found
-    return result
+    paths = [CACHE / f"{key(machine, routine, method)}.json" for routine in routines]
+    kept = [read(path) for path in paths]
+    missing = [k for k, found in enumerate(kept) if found is None]
+    for k, found in zip(missing, measure_all(machine, routines, missing), strict=True):
+        keep(paths[k], found)
+        kept[k] = found
+    pairs = zip(routines, kept, strict=True)
+    return {routine.function.name: found for routine, found in pairs if found}
+
+
+#: What the processes of a measurement work on; they are forked with it, as CasADi's symbols cannot
+#: be sent to another process.
+_work: tuple[Machine, list[Routine | Procedure]] | None = None
+
+
+def measure_all(
+    machine: Machine, routines: list[Routine | Procedure], numbers: list[int]
+) -> list[Accuracy]:
+    """Measure some of the routines, on all cores; the result does not depend on how many."""
+    global _work
+    _work = machine, routines
+    if len(numbers) < 2:
+        return [measure_one(number) for number in numbers]
+    order = sorted(numbers, key=lambda number: -len(fingerprint(routines[number])))
+    context = multiprocessing.get_context("fork")
+    with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
+        measured = dict(zip(order, pool.map(measure_one, order), strict=True))
+    return [measured[number] for number in numbers]
+
+
+def measure_one(number: int) -> Accuracy:
+    """Measure one routine of the work at hand."""
+    assert _work is not None
+    machine, routines = _work
+    return measure(machine, routines[number])
 
 
 def method_hash() -> str:

@@ -7,6 +7,7 @@ and how nearly.
 """
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -126,8 +127,11 @@ def verify_folder(
     rows: list[Row] = []
     total = len(REALS) * (len(model.items()) + len(model.aliases()))
     done = 0
-    for precision in REALS:
-        generated = Generated(model.machine, folder, precision)
+    with ThreadPoolExecutor() as compiling:
+        libraries = list(
+            compiling.map(lambda precision: Generated(model.machine, folder, precision), REALS)
+        )
+    for generated in libraries:
         trial = Trial(generated, model, accuracies, points, seed)
         for name in generated.functions:
             tell(name, done, total)
