@@ -13,7 +13,7 @@ rounding of the C, which is told in one of two ways:
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -24,9 +24,10 @@ from model.reference import control, kinematics, quality, statics, tension
 from model.reference.planar import Array as Wide
 from model.reference.planar import minors, norm
 from model.reference.wrench_set import slabs
+from model.symbolic import tension as solver
 from model.symbolic.function import Status
 from model.symbolic.kinematics import CONTACT_DISTANCE, PIVOT_ROUNDINGS, SMALLEST_PIVOT
-from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS, RANK_TOLERANCE
+from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
 
 Bools = NDArray[np.bool_]
 
@@ -295,7 +296,7 @@ def locate(p: Problem) -> Expected:
     }
     faults = {Status.SINGULAR: union(at.lost, flat)}
     allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
-    return expected(p, values, slack, allowed)
+    return replace(expected(p, values, slack, allowed), beside_header=False)
 
 
 def wrench(p: Problem) -> Expected:
@@ -415,7 +416,7 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
         served = served + infeasible * corner_slack(p, wrench, answer)
     if policy == "scale":
         # the ray meets the border of a flat set at a small angle
-        served = served + infeasible * tolerated(machine, p.epsilon, structure)
+        served = served + 2 * infeasible * tolerated(machine, p.epsilon, structure)
     own = relative * bounds.max * gain
     lost = np.zeros(p.count, dtype=bool)
     if policy != "paper":
@@ -459,7 +460,7 @@ def tolerated(machine: Machine, epsilon: float, structure: Wide) -> Wide:
     """How far outside the set a wrench (count) [N] may be that the C's own check lets pass."""
     least = smallest_singular_value(np.swapaxes(structure, -1, -2))
     most = RANK_FACTOR * KKT_TOLERANCE * epsilon * machine.tension.max
-    return np.asarray(most / np.maximum(np.minimum(least, 1), RANK_TOLERANCE * epsilon))
+    return np.asarray(most / np.maximum(np.minimum(least, 1), rank_limit(epsilon)))
 
 
 def _pairs(wide: Any, answer: Any, tight: Any) -> list[tuple[Wide, Wide, Wide]]:
@@ -485,17 +486,24 @@ def paper_verdicts(
 ) -> tuple[Bools, Bools]:
     """The same for Yoon eqs 22 and 23: it has no solution, or one that is clipped."""
     high, relative = machine.tension.max, TENSION_ROUNDINGS * epsilon
+    beside = wrench[:, ::-1] * [1, -1] * relative
     solved = [
-        tension.minimum_norm_tension(structure, wrench, machine.tension.min - shift * high, np.inf)
-        for shift in (0.0, relative, -relative)
+        tension.minimum_norm_tension(
+            structure, wrench + turn * beside, machine.tension.min - shift * high, np.inf
+        )
+        for shift, turn in ((0.0, 0), (relative, 0), (-relative, 0), (0.0, 1), (0.0, -1))
     ]
     gain = amplification(structure, solved[0].tension, machine.tension.min, np.inf)
     slack = (relative * (high + norm(wrench)) * gain)[:, None]
-    fits = np.all(solved[0].tension <= high + slack, axis=-1)
+    fits = [s.solved & np.all(s.tension <= high + slack, axis=-1) for s in solved]
     exceeds = np.any(solved[0].tension >= high - slack, axis=-1)
-    ever = np.logical_or.reduce([s.solved for s in solved])
     always_solved = np.logical_and.reduce([s.solved for s in solved])
-    return ever & fits, ~always_solved | exceeds
+    return np.logical_or.reduce(fits), ~always_solved | exceeds
+
+
+def rank_limit(epsilon: float) -> float:
+    """Below this a pivot of S counts as zero."""
+    return max(solver.SMALLEST_PIVOT, solver.RANK_TOLERANCE * epsilon)
 
 
 def rank(p: Problem, structure: Wide) -> tuple[Wide, tuple[Bools, Bools]]:
@@ -506,7 +514,7 @@ def rank(p: Problem, structure: Wide) -> tuple[Wide, tuple[Bools, Bools]]:
     """
     columns = np.swapaxes(structure, -1, -2)
     least = smallest_singular_value(columns)
-    limit = RANK_TOLERANCE * p.epsilon
+    limit = rank_limit(p.epsilon)
     pivot = np.sqrt(least_pivot(columns))
     return least, (pivot < limit / RANK_FACTOR, least < limit * RANK_FACTOR)
 

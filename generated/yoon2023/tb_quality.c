@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 4d11f7934346b6e8, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 10ee828c33b1cad4, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
@@ -63,7 +63,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     const real_t t42 = TB_COPYSIGN(t41, t38);
     const real_t t43 = TB_ABS(t42);
     const real_t t44 = TB_C(1.0) / tb_min(t34, t43);
-    const real_t t45 = TB_C(40.0) * TB_EPSILON * t44;
+    const real_t t45 = TB_C(30.0) * TB_EPSILON * t44;
     const real_t t46 = TB_C(3.0) - t45;
     const real_t t47 = TB_C(1.0) / (t41 * (t41 + TB_ABS(t38)));
     const real_t t48 = t39 * t47;
@@ -83,7 +83,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     const real_t t62 = t8 * t60 - t57;
     const real_t t63 = t54 * t55 + t61 * t62;
     const real_t t64 = t45 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
-    const real_t t65 = t64 / tb_max(t54 * t54 + t61 * t61, TB_C(1e-30));
+    const real_t t65 = t64 / tb_max(t54 * t54 + t61 * t61, TB_EPSILON);
     const real_t t66 = t63 * t65;
     const real_t t67 = t45 + TB_C(10.0);
     const real_t t68 = tb_max(t46 - t66, t66 - t67);
@@ -104,7 +104,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     real_t t83, t84, t85, t86, t87;
     if (t69) {
         const real_t t88 = tb_min(tb_max(t66, TB_C(3.0)), TB_C(10.0));
-        const real_t t89 = TB_C(1.0) / tb_max(t55 * t55 + t62 * t62, TB_C(1e-30));
+        const real_t t89 = TB_C(1.0) / tb_max(t55 * t55 + t62 * t62, TB_EPSILON);
         const real_t t90 = t88 * t89;
         const real_t t91 = t54 * t62 - t55 * t61;
         const bool t92 = TB_ABS(t91) <= t74;
@@ -151,7 +151,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     real_t t110, t111, t112, t113, t114;
     if (t106) {
         const real_t t115 = tb_min(tb_max(t83, TB_C(3.0)), TB_C(10.0));
-        const real_t t116 = TB_C(1.0) / tb_max(t71 * t71 + t70 * t70, TB_C(1e-30));
+        const real_t t116 = TB_C(1.0) / tb_max(t71 * t71 + t70 * t70, TB_EPSILON);
         const real_t t117 = t115 * t116;
         const bool t118 = TB_ABS(t73) <= t74;
         const real_t t119 = t72 * t117;
@@ -219,7 +219,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     real_t t145, t146, t147, t148, t149;
     if (t144) {
         const real_t t150 = tb_min(tb_max(t110, TB_C(3.0)), TB_C(10.0));
-        const real_t t151 = TB_C(1.0) / tb_max(t77 * t77 + t76 * t76, TB_C(1e-30));
+        const real_t t151 = TB_C(1.0) / tb_max(t77 * t77 + t76 * t76, TB_EPSILON);
         const real_t t152 = t150 * t151;
         const real_t t153 = t80 * t152;
         const real_t t154 = t61 * t77 + t54 * t76;
@@ -315,7 +315,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     const bool t195 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t196 = t195 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t197 = !t196;
-    const real_t t198 = TB_EPSILON * TB_C(4096.0);
+    const real_t t198 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t199 = !(t198 < t34 && t198 < t43);
     const real_t t200 = TB_ABS(t2 * t191 + t8 * t192 + t14 * t193 - t19 * t194);
     const real_t t201 = TB_ABS(t6 * t192 - t7 * t191 + t13 * t193 + t18 * t194);
@@ -405,7 +405,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     const real_t t40 = TB_SQRT(t37 * t37 + t38 * t38 + t39 * t39);
     const real_t t41 = TB_COPYSIGN(t40, t37);
     const real_t t42 = TB_ABS(t41);
-    const real_t t43 = TB_C(40.0) * TB_EPSILON / tb_min(t33, t42);
+    const real_t t43 = TB_C(30.0) * TB_EPSILON / tb_min(t33, t42);
     const real_t t44 = TB_C(3.0) - t43;
     const real_t t45 = TB_C(1.0) / (t40 * (t40 + TB_ABS(t37)));
     const real_t t46 = t38 * t45;
@@ -425,7 +425,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     const real_t t60 = t8 * t58 - t55;
     const real_t t61 = t52 * t53 + t59 * t60;
     const real_t t62 = t43 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
-    const real_t t63 = t62 / tb_max(t52 * t52 + t59 * t59, TB_C(1e-30));
+    const real_t t63 = t62 / tb_max(t52 * t52 + t59 * t59, TB_EPSILON);
     const real_t t64 = t61 * t63;
     const real_t t65 = t43 + TB_C(10.0);
     const bool t66 = TB_C(0.0) < tb_max(t44 - t64, t64 - t65);
@@ -443,7 +443,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     real_t t78, t79, t80, t81;
     if (t66) {
         const real_t t82 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
-        const real_t t83 = TB_C(1.0) / tb_max(t53 * t53 + t60 * t60, TB_C(1e-30));
+        const real_t t83 = TB_C(1.0) / tb_max(t53 * t53 + t60 * t60, TB_EPSILON);
         const real_t t84 = t82 * t83;
         const real_t t85 = t52 * t60 - t53 * t59;
         const bool t86 = TB_ABS(t85) <= t71;
@@ -477,7 +477,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     real_t t98, t99, t100, t101;
     if (t94) {
         const real_t t102 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
-        const real_t t103 = TB_C(1.0) / tb_max(t68 * t68 + t67 * t67, TB_C(1e-30));
+        const real_t t103 = TB_C(1.0) / tb_max(t68 * t68 + t67 * t67, TB_EPSILON);
         const real_t t104 = t102 * t103;
         const bool t105 = TB_ABS(t70) <= t71;
         const real_t t106 = t69 * t104;
@@ -521,7 +521,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     real_t t122, t123, t124, t125;
     if (t121) {
         const real_t t126 = tb_min(tb_max(t98, TB_C(3.0)), TB_C(10.0));
-        const real_t t127 = TB_C(1.0) / tb_max(t74 * t74 + t73 * t73, TB_C(1e-30));
+        const real_t t127 = TB_C(1.0) / tb_max(t74 * t74 + t73 * t73, TB_EPSILON);
         const real_t t128 = t126 * t127;
         const real_t t129 = t77 * t128;
         const real_t t130 = t59 * t74 + t52 * t73;
@@ -592,7 +592,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     const bool t156 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t157 = t156 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t158 = !t157;
-    const real_t t159 = TB_EPSILON * TB_C(4096.0);
+    const real_t t159 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t160 = !(t159 < t33 && t159 < t42);
     const bool t161 = !(TB_C(0.0) < t154);
     const bool t162 = !t30;
@@ -746,7 +746,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
         const real_t t59 = -t33;
         const bool t60 = TB_C(0.0) < t59;
         const bool t61 = (t53 || (TB_C(0.0) <= t9 && t54)) && !((t55 && t57) || (t58 && t60));
-        const real_t t62 = TB_C(40.0) * TB_EPSILON / tb_min(t43, t52);
+        const real_t t62 = TB_C(30.0) * TB_EPSILON / tb_min(t43, t52);
         const real_t t63 = TB_C(3.0) - t62;
         const real_t t64 = TB_C(1.0) / (t50 * (t50 + TB_ABS(t47)));
         const real_t t65 = t48 * t64;
@@ -766,7 +766,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
         const real_t t79 = t8 * t77 - t74;
         const real_t t80 = t71 * t72 + t78 * t79;
         const real_t t81 = t62 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
-        const real_t t82 = t81 / tb_max(t71 * t71 + t78 * t78, TB_C(1e-30));
+        const real_t t82 = t81 / tb_max(t71 * t71 + t78 * t78, TB_EPSILON);
         const real_t t83 = t80 * t82;
         const real_t t84 = TB_C(10.0) + t62;
         const bool t85 = TB_C(0.0) < tb_max(t63 - t83, t83 - t84);
@@ -784,7 +784,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
         real_t t97, t98, t99, t100;
         if (t85) {
             const real_t t101 = tb_min(tb_max(t83, TB_C(3.0)), TB_C(10.0));
-            const real_t t102 = TB_C(1.0) / tb_max(t72 * t72 + t79 * t79, TB_C(1e-30));
+            const real_t t102 = TB_C(1.0) / tb_max(t72 * t72 + t79 * t79, TB_EPSILON);
             const real_t t103 = t101 * t102;
             const real_t t104 = t71 * t79 - t72 * t78;
             const bool t105 = TB_ABS(t104) <= t90;
@@ -818,7 +818,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
         real_t t117, t118, t119, t120;
         if (t113) {
             const real_t t121 = tb_min(tb_max(t97, TB_C(3.0)), TB_C(10.0));
-            const real_t t122 = TB_C(1.0) / tb_max(t87 * t87 + t86 * t86, TB_C(1e-30));
+            const real_t t122 = TB_C(1.0) / tb_max(t87 * t87 + t86 * t86, TB_EPSILON);
             const real_t t123 = t121 * t122;
             const bool t124 = TB_ABS(t89) <= t90;
             const real_t t125 = t88 * t123;
@@ -863,7 +863,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
         real_t t141, t142, t143, t144;
         if (t140) {
             const real_t t145 = tb_min(tb_max(t117, TB_C(3.0)), TB_C(10.0));
-            const real_t t146 = TB_C(1.0) / tb_max(t93 * t93 + t92 * t92, TB_C(1e-30));
+            const real_t t146 = TB_C(1.0) / tb_max(t93 * t93 + t92 * t92, TB_EPSILON);
             const real_t t147 = t145 * t146;
             const real_t t148 = t96 * t147;
             const real_t t149 = t78 * t93 + t71 * t92;
@@ -993,7 +993,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
     const bool t223 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t224 = t223 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t225 = !t224;
-    const real_t t226 = TB_EPSILON * TB_C(4096.0);
+    const real_t t226 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t227 = !(t226 < t43 && t226 < t52);
     const bool t228 = !t40;
     if (t225) {

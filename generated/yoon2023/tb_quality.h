@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 4d11f7934346b6e8, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 10ee828c33b1cad4, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -16,10 +16,10 @@
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INACCURATE: the optimality conditions are missed by more than rounding.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of tension: double at most 2.8e-13 N (worst found 6.9e-14 at pose (0.6509, 0.4458),
- *    rails (0.4639, 0.4614, 0.3024, 0.4556)); float at most 2.3e-04 N (worst found 5.6e-05 at
- *    pose (0.05944, 0.3893), rails (0, 0.4145, 0.04936, 0.03572)).
- *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 41 compare, 115 select. */
+ *  Error of tension: double at most 5.0e-13 N (worst found 1.2e-13 at pose (0.6173, 0.1638),
+ *    rails (0.001394, 0.1636, 0.7118, 0.011)); float at most 1.2e-04 N (worst found 3.0e-05 at
+ *    pose (0.5058, 0.4588), rails (0.4468, 0.4475, 0.5083, 0.2343)).
+ *  Cost, all branches: 135 add, 182 mul, 17 div, 6 sqrt, 41 compare, 116 select. */
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4]);
 
 /** Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace  (Yoon eq. 13).
@@ -30,10 +30,10 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
  *  TB_SINGULAR: the cables are parallel.
  *  TB_SINGULAR: T_min is 0, and so is every zero-wrench tension.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of factor: double at most 1.1e-14 (worst found 2.7e-15 at pose (0.2355, 0.3366), rails
- *    (0.7118, 0.1206, 0.04924, 0.4498)); float at most 5.5e-06 (worst found 1.4e-06 at pose
- *    (0.5395, 0.1284), rails (0.7118, 0.04448, 0.06566, 0.3912)).
- *  Cost, all branches: 111 add, 154 mul, 18 div, 6 sqrt, 18 compare, 81 select. */
+ *  Error of factor: double at most 1.2e-14 (worst found 2.9e-15 at pose (0.2148, 0.3364), rails
+ *    (0.579, 0.1904, 0, 0.4618)); float at most 7.1e-06 (worst found 1.8e-06 at pose (0.3569,
+ *    0.4606), rails (0.3873, 0.4385, 0.3585, 0.4435)).
+ *  Cost, all branches: 111 add, 154 mul, 18 div, 6 sqrt, 18 compare, 82 select. */
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t factor[1]);
 
 /** Isotropic force I_F: the largest force in every direction; 0 outside the workspace  (Yoon
@@ -57,10 +57,10 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of force: double at most 2.8e-14 N (worst found 7.1e-15 at pose (0.5283, 0.1052),
- *    rails (0.4916, 0.2971, 0.5788, 0.1412)); float at most 4.1e-05 N (worst found 1.0e-05 at
- *    pose (0.7017, 0.3731), rails (0.7118, 0.3875, 0.1813, 0.3349)).
- *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 47 compare, 122 select. */
+ *  Error of force: double at most 2.6e-14 N (worst found 6.5e-15 at pose (0.09283, 0.115),
+ *    rails (0.00928, 0.1739, 0.1225, 0.3412)); float at most 4.0e-05 N (worst found 1.0e-05 at
+ *    pose (0.2132, 0.4584), rails (0.3332, 0.1484, 0.2112, 0.4344)).
+ *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 47 compare, 123 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1]);
 
 #endif

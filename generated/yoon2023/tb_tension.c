@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 4d11f7934346b6e8, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 10ee828c33b1cad4, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -44,8 +44,8 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t9 = TB_C(10.0) - start_2;
     const real_t t10 = tb_min(tb_max(TB_C(0.0), t8), t9);
     const real_t t11 = t1 + (t4 + t5);
-    const real_t t12 = TB_C(1.0) / tb_max(t11, TB_C(1e-30));
-    const real_t t13 = t10 * t10 * t12;
+    const real_t t12 = TB_C(1.0) / tb_max(t11, TB_EPSILON);
+    const real_t t13 = t10 * (t10 * t12);
     const real_t height_2 = structure[2] * wrench[1] - structure[6] * wrench[0];
     const real_t t14 = height_0 * cross_03 + height_1 * cross_13 + cross_23 * height_2;
     const real_t start_3 = t7 * t14;
@@ -53,28 +53,28 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t16 = TB_C(10.0) - start_3;
     const real_t t17 = tb_min(tb_max(TB_C(0.0), t15), t16);
     const real_t t18 = t1 + (t3 + t6);
-    const real_t t19 = TB_C(1.0) / tb_max(t18, TB_C(1e-30));
-    const real_t t20 = t17 * t17 * t19;
+    const real_t t19 = TB_C(1.0) / tb_max(t18, TB_EPSILON);
+    const real_t t20 = t17 * (t17 * t19);
     const real_t t21 = height_1 * cross_01 + cross_02 * height_2 + height_3 * cross_03;
     const real_t t22 = t7 * t21;
     const real_t t23 = TB_C(3.0) + t22;
     const real_t t24 = TB_C(10.0) + t22;
     const real_t t25 = tb_min(tb_max(TB_C(0.0), t23), t24);
     const real_t t26 = t6 + (t2 + t4);
-    const real_t t27 = TB_C(1.0) / tb_max(t26, TB_C(1e-30));
-    const real_t t28 = t25 * t25 * t27;
+    const real_t t27 = TB_C(1.0) / tb_max(t26, TB_EPSILON);
+    const real_t t28 = t25 * (t25 * t27);
     const real_t t29 = height_0 * cross_01 - cross_12 * height_2 - height_3 * cross_13;
     const real_t start_1 = t7 * t29;
     const real_t t30 = TB_C(3.0) - start_1;
     const real_t t31 = TB_C(10.0) - start_1;
     const real_t t32 = tb_min(tb_max(TB_C(0.0), t30), t31);
     const real_t t33 = t3 + (t2 + t5);
-    const real_t t34 = TB_C(1.0) / tb_max(t33, TB_C(1e-30));
-    const real_t t35 = t32 * t32 * t34;
+    const real_t t34 = TB_C(1.0) / tb_max(t33, TB_EPSILON);
+    const real_t t35 = t32 * (t32 * t34);
     const bool t36 = tb_max(t13, t20) <= tb_max(t28, t35);
     const real_t t37 = TB_SQRT(determinant * TB_C(0.5));
     const real_t t38 = TB_C(1.0) / t37;
-    const real_t t39 = TB_C(160.0) * TB_EPSILON * t38;
+    const real_t t39 = TB_EPSILON * TB_C(120.0) * t38;
     const real_t t40 = TB_EPSILON * TB_C(16.0);
     const real_t t41 = t23 - t39;
     const real_t t42 = t24 + t39;
@@ -295,10 +295,11 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t delivered_1 = t153 + structure[6] * tension_2 + structure[7] * tension_3;
     const real_t t154 = tb_max(TB_C(0.0), TB_ABS(delivered_0 - wrench[0]));
     const real_t kkt_residual_0 = tb_max(t154, TB_ABS(delivered_1 - wrench[1]));
-    const bool t155 = !(TB_EPSILON * TB_C(4096.0) < t37);
-    const real_t t156 = tb_min(t38 * (TB_EPSILON * TB_C(5120.0)), TB_C(0.01));
-    const bool t157 = !(kkt_residual_0 <= t156);
-    if (t155) {
+    const bool t155 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0)) < t37;
+    const bool t156 = !t155;
+    const real_t t157 = tb_min(t38 * (TB_EPSILON * TB_C(5120.0)), TB_C(0.01));
+    const bool t158 = !(kkt_residual_0 <= t157);
+    if (t156) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -308,7 +309,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         kkt_residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t157) {
+    if (t158) {
         tension[0] = TB_C(3.0);
         tension[1] = TB_C(3.0);
         tension[2] = TB_C(3.0);
@@ -374,7 +375,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t24 = TB_ABS(t3);
     const real_t t25 = TB_ABS(t12);
     const real_t t26 = TB_C(1.0) / tb_min(t24, t25);
-    const real_t t27 = TB_C(40.0) * TB_EPSILON * t26;
+    const real_t t27 = TB_C(30.0) * TB_EPSILON * t26;
     const real_t start_2 = t20 - structure[2] * t22;
     const real_t t28 = TB_C(3.0) - start_2;
     const real_t t29 = t28 - t27;
@@ -403,7 +404,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t51 = t49 + TB_C(10.0);
     const real_t t52 = tb_min(tb_max(TB_C(0.0), t50), t51);
     const real_t t53 = t27 < TB_ABS(t52) ? t52 : TB_C(0.0);
-    const real_t t54 = t53 / tb_max(t38 * t38 + t46 * t46, TB_C(1e-30));
+    const real_t t54 = t53 / tb_max(t38 * t38 + t46 * t46, TB_EPSILON);
     const real_t t55 = t48 * t54;
     const real_t t56 = TB_C(10.0) - start_1;
     const real_t t57 = t27 + t56;
@@ -427,7 +428,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     real_t t75, t76, t77, t78, t79;
     if (t59) {
         const real_t t80 = tb_min(tb_max(t55, t30), t56);
-        const real_t t81 = TB_C(1.0) / tb_max(t39 * t39 + t47 * t47, TB_C(1e-30));
+        const real_t t81 = TB_C(1.0) / tb_max(t39 * t39 + t47 * t47, TB_EPSILON);
         const real_t t82 = t80 * t81;
         const real_t t83 = t39 * t46 - t38 * t47;
         const bool t84 = TB_ABS(t83) <= t64;
@@ -477,7 +478,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     if (t100) {
         const bool t109 = TB_ABS(t63) <= t64;
         const real_t t110 = tb_min(tb_max(t75, t28), t97);
-        const real_t t111 = TB_C(1.0) / tb_max(t61 * t61 + t60 * t60, TB_C(1e-30));
+        const real_t t111 = TB_C(1.0) / tb_max(t61 * t61 + t60 * t60, TB_EPSILON);
         const real_t t112 = t110 * t111;
         const real_t t113 = t62 * t112;
         const real_t t114 = TB_C(1.0) / t63;
@@ -555,7 +556,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     real_t t140, t141, t142, t143, t144;
     if (t139) {
         const real_t t145 = tb_min(tb_max(t104, t23), t137);
-        const real_t t146 = TB_C(1.0) / tb_max(t68 * t68 + t69 * t69, TB_C(1e-30));
+        const real_t t146 = TB_C(1.0) / tb_max(t68 * t68 + t69 * t69, TB_EPSILON);
         const real_t t147 = t145 * t146;
         const real_t t148 = t72 * t147;
         const real_t t149 = t46 * t68 + t38 * t69;
@@ -651,7 +652,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t delivered_1 = t187 + structure[6] * tension_2 + structure[7] * tension_3;
     const real_t kkt_residual_0 = tb_max(tb_max(t144, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
-    const real_t t188 = TB_EPSILON * TB_C(4096.0);
+    const real_t t188 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t189 = !(t188 < t24 && t188 < t25);
     const real_t t190 = tb_min(t26 * (TB_EPSILON * TB_C(1280.0)), TB_C(0.01));
     const bool t191 = !(kkt_residual_0 <= t190);
@@ -958,8 +959,9 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             t85 = wrench[0] * t195;
             t86 = wrench[1] * t195;
         }
-        served_0 = t85;
-        served_1 = t86;
+        const real_t t196 = TB_EPSILON * TB_C(32.0);
+        served_0 = t85 + t196 * (t4 - t85);
+        served_1 = t86 + t196 * (t1 - t86);
     }
     const real_t inner_0 = served_0 + TB_C(3.814697265625e-06) * (t4 - served_0);
     const real_t inner_1 = served_1 + TB_C(3.814697265625e-06) * (t1 - served_1);
@@ -1155,8 +1157,9 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
             t144 = t146;
             t145 = t147;
         }
-        served_0 = t144;
-        served_1 = t145;
+        const real_t t148 = TB_EPSILON * TB_C(32.0);
+        served_0 = t144 + t148 * (t4 - t144);
+        served_1 = t145 + t148 * (t1 - t145);
     }
     const real_t inner_0 = served_0 + TB_C(3.814697265625e-06) * (t4 - served_0);
     const real_t inner_1 = served_1 + TB_C(3.814697265625e-06) * (t1 - served_1);
@@ -1214,7 +1217,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t25 = TB_ABS(t3);
     const real_t t26 = TB_ABS(t12);
     const real_t t27 = TB_C(1.0) / tb_min(t25, t26);
-    const real_t t28 = TB_C(4.0) * TB_EPSILON * t24 * t27;
+    const real_t t28 = TB_C(3.0) * TB_EPSILON * t24 * t27;
     const real_t start_2 = t20 - structure[2] * t22;
     const real_t t29 = TB_C(3.0) - start_2;
     const real_t t30 = t29 - t28;
@@ -1243,7 +1246,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t52 = t50 + TB_C(1000000000000.0);
     const real_t t53 = tb_min(tb_max(TB_C(0.0), t51), t52);
     const real_t t54 = t28 < TB_ABS(t53) ? t53 : TB_C(0.0);
-    const real_t t55 = t54 / tb_max(t39 * t39 + t47 * t47, TB_C(1e-30));
+    const real_t t55 = t54 / tb_max(t39 * t39 + t47 * t47, TB_EPSILON);
     const real_t t56 = t49 * t55;
     const real_t t57 = TB_C(1000000000000.0) - start_1;
     const real_t t58 = t28 + t57;
@@ -1267,7 +1270,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     real_t t76, t77, t78, t79, t80;
     if (t60) {
         const real_t t81 = tb_min(tb_max(t56, t31), t57);
-        const real_t t82 = TB_C(1.0) / tb_max(t40 * t40 + t48 * t48, TB_C(1e-30));
+        const real_t t82 = TB_C(1.0) / tb_max(t40 * t40 + t48 * t48, TB_EPSILON);
         const real_t t83 = t81 * t82;
         const real_t t84 = t40 * t47 - t39 * t48;
         const bool t85 = TB_ABS(t84) <= t65;
@@ -1317,7 +1320,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     if (t101) {
         const bool t110 = TB_ABS(t64) <= t65;
         const real_t t111 = tb_min(tb_max(t76, t29), t98);
-        const real_t t112 = TB_C(1.0) / tb_max(t62 * t62 + t61 * t61, TB_C(1e-30));
+        const real_t t112 = TB_C(1.0) / tb_max(t62 * t62 + t61 * t61, TB_EPSILON);
         const real_t t113 = t111 * t112;
         const real_t t114 = t63 * t113;
         const real_t t115 = TB_C(1.0) / t64;
@@ -1395,7 +1398,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     real_t t141, t142, t143, t144, t145;
     if (t140) {
         const real_t t146 = tb_min(tb_max(t105, t23), t138);
-        const real_t t147 = TB_C(1.0) / tb_max(t69 * t69 + t70 * t70, TB_C(1e-30));
+        const real_t t147 = TB_C(1.0) / tb_max(t69 * t69 + t70 * t70, TB_EPSILON);
         const real_t t148 = t146 * t147;
         const real_t t149 = t103 - t102;
         const bool t150 = TB_ABS(t149) <= t65;
@@ -1511,7 +1514,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t delivered_0 = t198 + structure[2] * tension_2 + structure[3] * tension_3;
     const real_t t199 = structure[4] * tension_0 + structure[5] * tension_1;
     const real_t delivered_1 = t199 + structure[6] * tension_2 + structure[7] * tension_3;
-    const real_t t200 = TB_EPSILON * TB_C(4096.0);
+    const real_t t200 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t201 = !(t200 < t25 && t200 < t26);
     const bool t202 = TB_C(10.0) < t187 || TB_C(10.0) < t188 || TB_C(10.0) < t189;
     const bool t203 = t202 || TB_C(10.0) < t191;

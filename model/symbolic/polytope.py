@@ -16,8 +16,6 @@ from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, smalle
 
 #: Stands for an interval end that is not there; far beyond any tension, safe in single precision.
 UNBOUNDED = 1e12
-#: Stands for the length of a normal that is zero: a tension that nothing can shift.
-NOTHING = 1e-30
 #: Lines whose normals differ by no more than this many EPSILON count as parallel.
 PARALLEL = 16.0
 
@@ -71,6 +69,15 @@ class Nearest:
 
     shift: Vector
     misfit: Scalar
+
+
+def reach(side: Scalar, share: Scalar) -> Scalar:
+    """Multiple of a normal of squared length `share` that reaches a side.
+
+    A tension that nothing can shift has a normal of rounding size; it is not reached, and the
+    others are not shifted for it.
+    """
+    return side / ca.fmax(share, EPSILON)
 
 
 @dataclass(frozen=True)
@@ -137,7 +144,7 @@ class Plane:
     def moved(self, slabs: Slabs, number: int, level: Scalar) -> Nearest:
         """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
         side = slabs.side(level, number) if number else slabs.first_side(0)
-        height = side / ca.fmax(self.shares[number][number], NOTHING)
+        height = reach(side, self.shares[number][number])
         position, multiplier, free = self.slide(slabs, number, height)
         shift = [
             share * height + slope * position
@@ -161,14 +168,14 @@ class Plane:
         distances = []
         for i in range(count):
             side = slabs.side(ca.SX(0), i)
-            distances.append(side * side / ca.fmax(self.shares[i][i], NOTHING))
+            distances.append(side * reach(side, self.shares[i][i]))
         return Nearest(
             knock_out(distances, [self.along_line(slabs, i) for i in range(count)]), ca.SX(0)
         )
 
     def along_line(self, slabs: Slabs, number: int) -> Vector:
         """The point of one slab's line that is nearest its foot within all other slabs."""
-        height = slabs.first_side(number) / ca.fmax(self.shares[number][number], NOTHING)
+        height = reach(slabs.first_side(number), self.shares[number][number])
         others = [k for k in range(len(self.shares)) if k != number]
         shares, slopes, relaxed = self.shares[number], self.slopes[number], slabs.relaxed()
         feet = {k: shares[k] * height for k in others}
@@ -224,7 +231,7 @@ class Polyhedron:
         """Least-norm point on the side of slab `number` that `level` is beyond, among earlier."""
         normal = self.rows[number]
         side = slabs.side(level, number) if number else slabs.first_side(0)
-        height = side / ca.fmax(dot(normal, normal), NOTHING)
+        height = reach(side, dot(normal, normal))
         foot = [dot(row, normal) * height for row in self.rows]
         across = factorise([normal]).null_space()
         rest = space_of([multiply(transpose(across), row) for row in self.rows])

@@ -40,15 +40,20 @@ from model.symbolic.scalar import (
 from model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
-SLACK = 4.0
+SLACK = 3.0
 #: The KKT residual of a solution reaches at most this many EPSILON times the tension scale.
 KKT_TOLERANCE = 128.0
-#: A served wrench on the border leaves a corner for its tensions that rounding may close; moved by
-#: this part towards the middle of the feasible wrenches it leaves room, even in single precision.
+#: A wrench on the border leaves its tensions a corner that rounding may close. So the served one is
+#: moved off it, towards the middle of the feasible wrenches, by this many EPSILON of the way ...
+OFF_BORDER = 32.0
+#: ... and where that was not enough, by this part: room even in single precision.
 INWARDS = 2.0**-18
 #: A wrench missed by more than this part of T_max is not solved, however large the tensions.
 LARGEST_MISS = 1e-3
-#: The structure matrix has lost rank when a pivot of its factorisation is below this many EPSILON.
+#: The structure matrix has lost rank when a pivot of its factorisation is below this: cables within
+#: a millionth of a radian of one line hold nothing across it ...
+SMALLEST_PIVOT = 1e-6
+#: ... or below this many EPSILON, where a pivot is rounding.
 RANK_TOLERANCE = 4096.0
 
 
@@ -147,7 +152,11 @@ def served_wrench_function(machine: Machine, policy: str) -> ModelFunction:
     feasible = wrench_set(transpose(structure.rows()), machine.tension.min, machine.tension.max)
     inside = feasible.contains(wanted)
     choose, meaning = POLICIES[policy]
-    served = [where(inside, a, b) for a, b in zip(wanted, choose(feasible, wanted), strict=True)]
+    border = choose(feasible, wanted)
+    served = [
+        where(inside, asked, edge + OFF_BORDER * EPSILON * (middle - edge))
+        for asked, edge, middle in zip(wanted, border, feasible.middle, strict=True)
+    ]
     inner = [a + INWARDS * (b - a) for a, b in zip(served, feasible.middle, strict=True)]
     return ModelFunction(
         f"served_wrench_{policy}",
@@ -211,7 +220,7 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
 
 def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
-    limit = RANK_TOLERANCE * EPSILON
+    limit = ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
     return not_all_above(space.pivots, limit, "the cables are parallel")
 
 

@@ -296,7 +296,7 @@ Check = Callable[[Machine, Controller], None]
 
 SEEDED: list[tuple[str, str, Check]] = [
     (
-        "resume(&next, inputs->lengths, inputs->rails);",
+        "resume(controller, inputs->lengths, inputs->rails);",
         "",
         test_a_reading_lost_in_a_steady_movement_changes_no_speed,
     ),
@@ -326,8 +326,8 @@ SEEDED: list[tuple[str, str, Check]] = [
         test_a_reading_lost_in_a_steady_movement_changes_no_speed,
     ),
     (
-        "if (is_good(status)) {",
-        "if (true) {",
+        "copy_memory(&before, controller);",
+        "",
         test_nothing_is_remembered_of_a_failed_cycle,
     ),
     (
