@@ -18,9 +18,15 @@ FLAGS = (
     "-fno-math-errno",
     "-fno-trapping-math",
 )
-#: gcc would take minima and maxima apart into jumps that no processor predicts, and copy in pairs
-#: what was just written one by one, which has to wait; clang does neither.
-GCC_FLAGS = ("-fno-thread-jumps", "-fno-tree-vectorize", "-fno-tree-slp-vectorize")
+#: gcc would take minima and maxima apart into jumps that no processor predicts, copy in pairs what
+#: was just written one by one, which has to wait, and in a shared library call our own functions as
+#: if they could be replaced; clang does none of that.
+GCC_FLAGS = (
+    "-fno-thread-jumps",
+    "-fno-tree-vectorize",
+    "-fno-tree-slp-vectorize",
+    "-fno-semantic-interposition",
+)
 PRECISIONS = {"double": (), "float": ("-DTB_REAL_FLOAT",)}
 
 

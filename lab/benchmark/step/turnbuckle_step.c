@@ -1,23 +1,19 @@
+#include <stddef.h>
+#include <string.h>
+
 #include "controller.h"
 #include "run_steps.h"
 
 #define INPUTS (TB_CABLES + TB_RAILS + TB_DOF + TB_DOF)
 #define OUTPUTS (TB_CABLES + TB_RAILS)
 
-static const real_t *take(size_t count, const real_t from[], real_t to[])
-{
-    for (size_t i = 0; i < count; i++) {
-        to[i] = from[i];
-    }
-    return from + count;
-}
+/* A row is laid out as the beginning of tb_inputs: copied as a whole, as a driver would fill it. */
+_Static_assert(offsetof(tb_inputs, options) == INPUTS * sizeof(real_t),
+               "a row must hold lengths, rails, force and hand force without gaps");
 
 static void read_inputs(const real_t row[], tb_inputs *inputs)
 {
-    row = take(TB_CABLES, row, inputs->lengths);
-    row = take(TB_RAILS, row, inputs->rails);
-    row = take(TB_DOF, row, inputs->force);
-    (void)take(TB_DOF, row, inputs->hand_force);
+    memcpy(inputs, row, INPUTS * sizeof(real_t));
 }
 
 void run_steps(size_t cycles, const STEP_REAL inputs[], STEP_REAL outputs[])
@@ -31,7 +27,7 @@ void run_steps(size_t cycles, const STEP_REAL inputs[], STEP_REAL outputs[])
         real_t *const row = &outputs[i * OUTPUTS];
         read_inputs(&inputs[i * INPUTS], &given);
         (void)tb_controller_step(&controller, &given, &result);
-        (void)take(TB_CABLES, result.motor_torque, row);
-        (void)take(TB_RAILS, result.rail_force, row + TB_CABLES);
+        memcpy(row, result.motor_torque, sizeof result.motor_torque);
+        memcpy(row + TB_CABLES, result.rail_force, TB_RAILS * sizeof(real_t));
     }
 }
