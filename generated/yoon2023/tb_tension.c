@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 10ee828c33b1cad4, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 0141e2700044da1e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -297,7 +297,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t kkt_residual_0 = tb_max(t154, TB_ABS(delivered_1 - wrench[1]));
     const bool t155 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0)) < t37;
     const bool t156 = !t155;
-    const real_t t157 = tb_min(t38 * (TB_EPSILON * TB_C(5120.0)), TB_C(0.01));
+    const real_t t157 = tb_min(t38 * (TB_EPSILON * TB_C(480.0)), TB_C(0.01));
     const bool t158 = !(kkt_residual_0 <= t157);
     if (t156) {
         tension[0] = TB_C(3.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 10ee828c33b1cad4, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 0141e2700044da1e, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -88,7 +88,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 1.4e-08 N; float at most 3.6e-01 N.
+ *  Error of tension: double at most 1.4e-08 N; float at most 5.0e-01 N.
  *  Error of delivered: double at most 3.2e-13 N; float at most 4.2e-03 N.
  *  Error of kkt_residual: double at most 3.2e-13 N; float at most 7.5e-05 N.
  *  Cost, all branches: 756 add, 846 mul, 78 div, 7 sqrt, 166 compare, 642 select. */
@@ -105,9 +105,9 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 1.5e-09 N; float at most 4.1e-01 N.
- *  Error of delivered: double at most 1.2e-13 N; float at most 2.1e-02 N.
- *  Error of kkt_residual: double at most 1.2e-13 N; float at most 7.3e-05 N.
+ *  Error of tension: double at most 3.0e-09 N; float at most 4.1e-01 N.
+ *  Error of delivered: double at most 3.1e-13 N; float at most 2.3e-02 N.
+ *  Error of kkt_residual: double at most 3.1e-13 N; float at most 3.6e-05 N.
  *  Cost, all branches: 724 add, 815 mul, 74 div, 7 sqrt, 157 compare, 603 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t wrench[2],
     real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);

@@ -43,6 +43,8 @@ from model.symbolic.wrench_set import WrenchSet, wrench_set
 SLACK = 3.0
 #: The KKT residual of a solution reaches at most this many EPSILON times the tension scale.
 KKT_TOLERANCE = 128.0
+#: The quick attempt is only taken where it is as good as usual; else the robust one is asked.
+QUICK_TOLERANCE = 12.0
 #: A wrench on the border leaves its tensions a corner that rounding may close. So the served one is
 #: moved off it, towards the middle of the feasible wrenches, by this many EPSILON of the way ...
 OFF_BORDER = 32.0
@@ -117,7 +119,11 @@ POLICIES: dict[str, tuple[Policy, str]] = {
 
 
 def least_norm_function(
-    machine: Machine, name: str, method: Callable[[Matrix, Vector], NullSpace], remark: str
+    machine: Machine,
+    name: str,
+    method: Callable[[Matrix, Vector], NullSpace],
+    tolerance: float,
+    remark: str,
 ) -> ModelFunction:
     """Exact bounded distribution of a feasible wrench."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
@@ -125,7 +131,7 @@ def least_norm_function(
     low, high = machine.tension.min, machine.tension.max
     space = method(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, high)
-    limit = ca.fmin(rounding(KKT_TOLERANCE, ca.SX(high), space), LARGEST_MISS * high)
+    limit = ca.fmin(rounding(tolerance, ca.SX(high), space), LARGEST_MISS * high)
     missed = ca.logic_not(solution.kkt_residual <= limit)
     return ModelFunction(
         name,
@@ -234,10 +240,14 @@ def functions(machine: Machine) -> list[ModelFunction]:
     ]
 
 
-def methods(machine: Machine) -> list[tuple[str, Callable[[Matrix, Vector], NullSpace], str]]:
+Method = tuple[str, Callable[[Matrix, Vector], NullSpace], float, str]
+
+
+def methods(machine: Machine) -> list[Method]:
     """The ways to distribute a feasible wrench that this machine has, the quickest first."""
-    quick = ("least_norm_tension_quick", crossed, ", from cross products alone")
-    always = ("least_norm_tension", factored, "")
+    remark = ", from cross products alone"
+    quick = ("least_norm_tension_quick", crossed, QUICK_TOLERANCE, remark)
+    always = ("least_norm_tension", factored, KKT_TOLERANCE, "")
     return [quick, always] if (machine.dof, len(machine.cables)) == (2, 4) else [always]
 
 
@@ -248,7 +258,7 @@ def procedures(machine: Machine) -> list[Retry]:
             f"distribute_tension_{policy}",
             f"Tensions of least norm within their bounds; an infeasible wrench {meaning}",
             "Yoon eq. 12",
-            tuple(name for name, _, _ in methods(machine)),
+            tuple(name for name, *_ in methods(machine)),
             f"served_wrench_{policy}",
             "wrench",
         )

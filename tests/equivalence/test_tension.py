@@ -21,9 +21,9 @@ from model.symbolic.function import Status
 Doubles = NDArray[np.float64]
 
 CHUNK, CHUNKS = 100_000, 10
-#: Multiples of rounding that are allowed: of all problems, and of nine in ten. Bounds are relaxed
-#: by eight roundings over the smallest pivot of S, and four cables add up.
-WRENCH_ROUNDINGS, USUAL_WRENCH_ROUNDINGS, TENSION_ROUNDINGS = 128, 8, 64
+#: Multiples of rounding that are allowed; cables a millionth of a radian apart, which no pose of the
+#: machine has, may miss the wrench by more, one time in a hundred thousand.
+WRENCH_ROUNDINGS, STRANGE_WRENCH_ROUNDINGS, TENSION_ROUNDINGS = 8, 32, 64
 #: Nearer to the border of the feasible wrenches than this part of T_max, both verdicts are right.
 BORDER = 1e-12
 
@@ -86,9 +86,15 @@ def distance_inside(machine: Machine, structure: Doubles, wrench: Doubles) -> Do
     return np.asarray(np.min(half_width - np.abs(along - middle), axis=1), dtype=np.float64)
 
 
-@pytest.mark.parametrize("structures", [poses, any_directions])
+@pytest.mark.parametrize(
+    ("structures", "most"),
+    [(poses, WRENCH_ROUNDINGS), (any_directions, STRANGE_WRENCH_ROUNDINGS)],
+)
 def test_half_a_million_problems_with_known_solutions_are_solved(
-    structures: Callable[[Machine, int, int], Doubles], stock: Machine, double: Generated
+    structures: Callable[[Machine, int, int], Doubles],
+    most: int,
+    stock: Machine,
+    double: Generated,
 ) -> None:
     worst_wrench, worst_tension, unusual, unsolved, tried = 0.0, 0.0, 0, 0, 0
     for chunk in range(CHUNKS // 2):
@@ -96,7 +102,7 @@ def test_half_a_million_problems_with_known_solutions_are_solved(
         found = judged(stock, known, double)
         worst_wrench = max(worst_wrench, float(np.max(found.wrench)))
         worst_tension = max(worst_tension, float(np.max(found.tension)))
-        unusual += int(np.sum(found.wrench > USUAL_WRENCH_ROUNDINGS))
+        unusual += int(np.sum(found.wrench > WRENCH_ROUNDINGS))
         unsolved, tried = unsolved + found.unsolved, tried + len(known.wrench)
     print(
         f"{tried} problems: wrench {worst_wrench:.2f}, {unusual} times more than the usual; "
@@ -104,7 +110,7 @@ def test_half_a_million_problems_with_known_solutions_are_solved(
     )
     assert tried > 0.9 * CHUNK * CHUNKS / 2
     assert unsolved == 0
-    assert worst_wrench <= WRENCH_ROUNDINGS and unusual <= tried / 10
+    assert worst_wrench <= most and unusual <= tried / CHUNK
     assert worst_tension <= TENSION_ROUNDINGS
 
 
