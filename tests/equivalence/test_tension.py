@@ -21,8 +21,8 @@ from model.symbolic.function import Status
 Doubles = NDArray[np.float64]
 
 CHUNK, CHUNKS = 100_000, 10
-#: Multiples of rounding that are allowed; cables a millionth of a radian apart, which no pose of the
-#: machine has, may miss the wrench by more, one time in a hundred thousand.
+#: Multiples of rounding that are allowed; cables a millionth of a radian apart, which no pose of
+#: the machine has, may miss the wrench by more, one time in a hundred thousand.
 WRENCH_ROUNDINGS, STRANGE_WRENCH_ROUNDINGS, TENSION_ROUNDINGS = 8, 32, 64
 #: Nearer to the border of the feasible wrenches than this part of T_max, both verdicts are right.
 BORDER = 1e-12
