@@ -36,40 +36,41 @@ static void fill(size_t count, real_t value, real_t to[])
     }
 }
 
-/* Field by field: one struct assignment becomes a string instruction, several times as slow. */
-static void copy_memory(const tb_controller *restrict from, tb_controller *restrict to)
-{
-    copy(TB_DOF, from->pose, to->pose);
-    copy(TB_CABLES, from->lengths, to->lengths);
-    copy(TB_CABLES, from->length_rates, to->length_rates);
-    copy(TB_RAIL_SLOTS, from->rails, to->rails);
-    copy(TB_RAIL_SLOTS, from->rail_rates, to->rail_rates);
-    copy(TB_CABLES * TB_OBSERVER_MEMORY, from->observer, to->observer);
-    copy(TB_RAIL_SLOTS * TB_BASE_MEMORY, from->base, to->base);
-    copy(TB_CABLES, from->torque, to->torque);
-    to->interrupted = from->interrupted;
-}
+/* Rates of this cycle; the controller remembers them when the cycle is good. */
+typedef struct {
+    real_t cables[TB_CABLES];
+    real_t rails[TB_RAIL_SLOTS];
+} tb_rates;
 
 /* First-order low-pass on the backward difference. */
-static void filter_rates(size_t count, const real_t measured[], real_t previous[], real_t rates[])
+static void filter_rates(size_t count, const real_t measured[], const real_t previous[],
+                         const real_t kept[], real_t rates[])
 {
     for (size_t i = 0; i < count; i++) {
         real_t const rate = (measured[i] - previous[i]) * (TB_C(1.0) / TB_PERIOD);
-        rates[i] += TB_VELOCITY_GAIN * (rate - rates[i]);
-        previous[i] = measured[i];
+        rates[i] = kept[i] + (TB_VELOCITY_GAIN * (rate - kept[i]));
     }
 }
 
-static tb_status locate_platform(tb_controller *controller, const tb_inputs *inputs,
+/* After an interruption the kept rates stand until there is a previous measurement again. */
+static void find_rates(const tb_controller *controller, const tb_inputs *inputs, tb_rates *rates)
+{
+    if (controller->interrupted != 0) {
+        copy(TB_CABLES, controller->length_rates, rates->cables);
+        copy(TB_RAILS, controller->rail_rates, rates->rails);
+    } else {
+        filter_rates(TB_CABLES, inputs->lengths, controller->lengths, controller->length_rates,
+                     rates->cables);
+        filter_rates(TB_RAILS, inputs->rails, controller->rails, controller->rail_rates,
+                     rates->rails);
+    }
+}
+
+static tb_status locate_platform(const tb_inputs *inputs, const tb_rates *rates,
                                  real_t structure[], tb_outputs *outputs)
 {
-    filter_rates(TB_CABLES, inputs->lengths, controller->lengths, controller->length_rates);
-    filter_rates(TB_RAILS, inputs->rails, controller->rails, controller->rail_rates);
-    tb_status const status =
-        tb_locate(inputs->lengths, inputs->rails, controller->length_rates, controller->rail_rates,
-                  outputs->pose, &outputs->residual, structure, outputs->velocity);
-    copy(TB_DOF, outputs->pose, controller->pose);
-    return status;
+    return tb_locate(inputs->lengths, inputs->rails, rates->cables, rates->rails, outputs->pose,
+                     &outputs->residual, structure, outputs->velocity);
 }
 
 static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
@@ -87,6 +88,16 @@ static tb_status distribute_force(const real_t structure[], tb_outputs *outputs)
     real_t kkt_residual[1];
     return tb_distribute_tension(structure, outputs->wanted_force, outputs->tension,
                                  outputs->delivered_force, kkt_residual);
+}
+
+/* Place the previous lengths where the kept speeds came from, so that no filter sees a jump. */
+static void resume_observer(tb_controller *controller, const real_t lengths[])
+{
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        real_t *const observer = &controller->observer[i * TB_OBSERVER_MEMORY];
+        real_t const winding_rate = TB_DRUM_RADIUS * observer[OBSERVER_MOTOR_SPEED];
+        observer[OBSERVER_PREVIOUS_LENGTH] = lengths[i] - (winding_rate * TB_PERIOD);
+    }
 }
 
 #if TB_HAS_OBSERVER
@@ -153,6 +164,9 @@ static tb_status estimate_disturbance(tb_controller *controller, const tb_inputs
     if (status != TB_OK) {
         return status;
     }
+    if (controller->interrupted != 0) {
+        resume_observer(controller, inputs->lengths);
+    }
     return tb_observe_disturbance(controller->observer, inputs->lengths, load, controller->torque,
                                   controller->observer, outputs->disturbance);
 }
@@ -173,9 +187,20 @@ static tb_status estimate_disturbance(tb_controller *controller, const tb_inputs
 
 #if TB_RAILS > 0
 
+static void resume_bases(tb_controller *controller, const real_t rails[])
+{
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        real_t *const base = &controller->base[i * TB_BASE_MEMORY];
+        base[BASE_PREVIOUS_RAIL] = rails[i] - (base[BASE_SPEED] * TB_PERIOD);
+    }
+}
+
 static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
                             tb_outputs *outputs)
 {
+    if (controller->interrupted != 0) {
+        resume_bases(controller, inputs->rails);
+    }
     tb_status status = tb_base_targets(outputs->pose, outputs->rail_target);
     if (status == TB_OK) {
         status = tb_base_pid(controller->base, outputs->rail_target, inputs->rails,
@@ -185,15 +210,6 @@ static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
         outputs->rail_torque[i] = TB_PINION_RADIUS * outputs->rail_force[i];
     }
     return status;
-}
-
-static void resume_bases(tb_controller *controller, const real_t rails[])
-{
-    for (size_t i = 0; i < TB_RAILS; i++) {
-        real_t *const base = &controller->base[i * TB_BASE_MEMORY];
-        base[BASE_PREVIOUS_RAIL] = rails[i] - (base[BASE_SPEED] * TB_PERIOD);
-        controller->rails[i] = rails[i] - (controller->rail_rates[i] * TB_PERIOD);
-    }
 }
 
 #else
@@ -216,19 +232,6 @@ static void resume_bases(tb_controller *controller, const real_t rails[])
 }
 
 #endif
-
-/* Place the previous measurements where the kept rates came from, so that no filter sees a jump. */
-static void resume(tb_controller *controller, const real_t lengths[], const real_t rails[])
-{
-    for (size_t i = 0; i < TB_CABLES; i++) {
-        real_t *const observer = &controller->observer[i * TB_OBSERVER_MEMORY];
-        real_t const winding_rate = TB_DRUM_RADIUS * observer[OBSERVER_MOTOR_SPEED];
-        observer[OBSERVER_PREVIOUS_LENGTH] = lengths[i] - (winding_rate * TB_PERIOD);
-        controller->lengths[i] = lengths[i] - (controller->length_rates[i] * TB_PERIOD);
-    }
-    resume_bases(controller, rails);
-    controller->interrupted = 0;
-}
 
 /* The share of its torque that a motor keeps for the observer. */
 static const real_t compensation_limit = TB_TORQUE_LIMIT - (TB_DRUM_RADIUS * TB_TENSION_MAX);
@@ -264,19 +267,38 @@ static tb_status pull_cables(tb_controller *controller, const tb_inputs *inputs,
     return (status == TB_OK) ? distributed : status;
 }
 
+/* What a good cycle leaves; the filters of observer and bases have kept theirs already. */
+static void remember(tb_controller *controller, const tb_inputs *inputs, const tb_rates *rates,
+                     const tb_outputs *outputs)
+{
+    copy(TB_DOF, outputs->pose, controller->pose);
+    copy(TB_CABLES, inputs->lengths, controller->lengths);
+    copy(TB_CABLES, rates->cables, controller->length_rates);
+    copy(TB_RAILS, inputs->rails, controller->rails);
+    copy(TB_RAILS, rates->rails, controller->rail_rates);
+    controller->interrupted = 0;
+}
+
+/* Whatever can fail comes before the filters, whose memory only a good cycle may change. */
 static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs,
                            tb_outputs *outputs)
 {
+    tb_rates rates;
     real_t structure[TB_DOF * TB_CABLES];
-    tb_status status = locate_platform(controller, inputs, structure, outputs);
-    if (status == TB_OK) {
-        status = move_bases(controller, inputs, outputs);
-    }
+    find_rates(controller, inputs, &rates);
+    tb_status status = locate_platform(inputs, &rates, structure, outputs);
     if (status == TB_OK) {
         status = render_force(inputs, outputs);
     }
     if (status == TB_OK) {
         status = pull_cables(controller, inputs, structure, outputs);
+    }
+    if (is_good(status)) {
+        tb_status const moved = move_bases(controller, inputs, outputs);
+        status = (moved == TB_OK) ? status : moved;
+    }
+    if (is_good(status)) {
+        remember(controller, inputs, &rates, outputs);
     }
     return status;
 }
@@ -310,7 +332,11 @@ tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB
     controller->interrupted = 1;
     tb_status const status = tb_forward_kinematics(lengths, rails, controller->pose, residual);
     if (status == TB_OK) {
-        resume(controller, lengths, rails);
+        copy(TB_CABLES, lengths, controller->lengths);
+        copy(TB_RAILS, rails, controller->rails);
+        resume_observer(controller, lengths);
+        resume_bases(controller, rails);
+        controller->interrupted = 0;
     }
     return status;
 }
@@ -318,14 +344,8 @@ tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB
 tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,
                              tb_outputs *outputs)
 {
-    tb_controller before;
-    copy_memory(controller, &before);
-    if (controller->interrupted != 0) {
-        resume(controller, inputs->lengths, inputs->rails);
-    }
     tb_status const status = run_cycle(controller, inputs, outputs);
     if (!is_good(status)) {
-        copy_memory(&before, controller);
         controller->interrupted = 1;
         hold_safe(controller, outputs);
     }

@@ -164,7 +164,7 @@ SEEDED = [
         "outputs->wanted_force[i] += inputs->force[i]",
         "outputs->wanted_force[i] -= inputs->force[i]",
     ),
-    ("rates[i] += TB_VELOCITY_GAIN * (rate - rates[i])", "rates[i] = rate"),
+    ("rates[i] = kept[i] + (TB_VELOCITY_GAIN * (rate - kept[i]))", "rates[i] = rate"),
     ("controller->torque[i] * (TB_C(1.0) / TB_DRUM_RADIUS)", "outputs->tension[i]"),
     ("+= limit_compensation(", "-= limit_compensation("),
     ("TB_PINION_RADIUS * outputs->rail_force[i]", "outputs->rail_force[i]"),

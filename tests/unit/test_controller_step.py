@@ -296,7 +296,7 @@ Check = Callable[[Machine, Controller], None]
 
 SEEDED: list[tuple[str, str, Check]] = [
     (
-        "resume(controller, inputs->lengths, inputs->rails);",
+        "resume_observer(controller, inputs->lengths);",
         "",
         test_a_reading_lost_in_a_steady_movement_changes_no_speed,
     ),
@@ -316,18 +316,18 @@ SEEDED: list[tuple[str, str, Check]] = [
         test_a_reading_lost_in_a_steady_movement_changes_no_speed,
     ),
     (
-        "lengths[i] - (controller->length_rates[i] * TB_PERIOD)",
-        "lengths[i]",
+        "(controller->interrupted != 0) {\n        copy(TB_CABLES",
+        "(false) {\n        copy(TB_CABLES",
         test_a_reading_lost_in_a_steady_movement_changes_no_speed,
     ),
     (
-        "rails[i] - (controller->rail_rates[i] * TB_PERIOD)",
-        "rails[i]",
-        test_a_reading_lost_in_a_steady_movement_changes_no_speed,
-    ),
-    (
-        "copy_memory(&before, controller);",
+        "resume_bases(controller, inputs->rails);",
         "",
+        test_a_reading_lost_in_a_steady_movement_changes_no_speed,
+    ),
+    (
+        "if (is_good(status)) {\n        remember",
+        "if (true) {\n        remember",
         test_nothing_is_remembered_of_a_failed_cycle,
     ),
     (
