@@ -1,13 +1,13 @@
 /* Controller step: measurements in, torques and forces out, once every TB_PERIOD seconds.
  *
  * One cycle does, in this order:
- *   1. forward kinematics: cable lengths and rail coordinates -> pose
- *   2. task velocity: filtered rates of lengths and rails -> velocity of the platform
- *   3. bases: targets from the pose, PID -> force on every carriage
- *   4. wanted force: virtual walls (Yoon eqs 26, 27) + the force the application asks for
- *   5. tension distribution: wanted force -> cable tensions within the bounds (Yoon eqs 22, 23)
- *   6. disturbance observer (Yoon Fig. 11, eq. 24), when the machine has one
- *   7. motor torque: drum radius x tension + compensation, through the torque gate
+ *   1. location: cable lengths, rail coordinates and their filtered rates -> pose and velocity
+ *   2. wanted force: virtual walls (Yoon eqs 26, 27) + the force the application asks for
+ *   3. tension distribution: wanted force -> cable tensions within the bounds (Yoon eqs 22, 23)
+ *   4. disturbance observer (Yoon Fig. 11, eq. 24), when the machine has one
+ *   5. motor torque: drum radius x tension + compensation
+ *   6. bases: targets from the pose, PID -> force on every carriage
+ *   7. the torque gate: the only way to a motor
  *
  * Pure: everything the step remembers is in tb_controller; no input or output, no heap, no global
  * state, no floating-point library. The same inputs from the same memory give the same outputs.
