@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
@@ -13,6 +14,15 @@ from model.machine import Machine, load_machine
 ROOT = Path(__file__).parents[1]
 STOCK_FILE = ROOT / "machines" / "yoon2023.toml"
 STOCK_FOLDER = ROOT / "generated" / "yoon2023"
+
+# The same examples everywhere, and no time limits: a busy machine fails no test.
+settings.register_profile(
+    "reproducible",
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+settings.load_profile("reproducible")
 
 
 @pytest.fixture(scope="session")

@@ -169,8 +169,8 @@ def test_quality_does_not_depend_on_the_size_of_the_machine(machine: Machine, fa
 @given(machines())
 def test_the_isotropic_force_is_at_least_that_of_equation_17(machine: Machine) -> None:
     structure_at_origin(machine)
-    paper = isotropic_force_eq17(machine, np.zeros(2), NO_RAILS)
-    assume(np.isfinite(paper))
+    # Outside the workspace eq. 17 is not defined, and the true force is 0.
+    paper = np.nan_to_num(isotropic_force_eq17(machine, np.zeros(2), NO_RAILS))
     assert paper <= isotropic_force(machine, np.zeros(2), NO_RAILS) + NEWTON
 
 
