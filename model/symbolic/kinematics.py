@@ -84,6 +84,11 @@ def jacobian(values: Vector, symbols: ca.SX) -> Matrix:
     return [[derivative[i, j] for j in range(symbols.numel())] for i in range(len(values))]
 
 
+def length_label(lengths: Vector) -> Label:
+    """Names the cable lengths in the generated C."""
+    return Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18")
+
+
 def touches_a_pulley(lengths: Vector) -> Verdict:
     """The platform is so near a pulley that the cable has no direction."""
     meaning = f"the platform is nearer than {CONTACT_DISTANCE * 1e3:g} mm to a pulley"
@@ -148,7 +153,7 @@ def structure_matrix_function(machine: Machine) -> ModelFunction:
         (pose, rails),
         (matrix_output("structure", "1", transpose(directions(vectors, lengths))),),
         (touches_a_pulley(lengths),),
-        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+        (length_label(lengths),),
     )
 
 
@@ -163,7 +168,7 @@ def length_jacobian_function(machine: Machine) -> ModelFunction:
         (pose, rails),
         (matrix_output("jacobian", "1", jacobian(lengths, pose.symbols)),),
         (touches_a_pulley(lengths),),
-        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+        (length_label(lengths),),
     )
 
 
@@ -178,7 +183,7 @@ def rail_jacobian_function(machine: Machine) -> ModelFunction:
         (pose, rails),
         (matrix_output("jacobian", "1", jacobian(lengths, rails.symbols)),),
         (touches_a_pulley(lengths),),
-        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+        (length_label(lengths),),
     )
 
 
@@ -219,7 +224,7 @@ def task_velocity_function(machine: Machine) -> ModelFunction:
         (pose, rails, length_rates, rail_rates),
         (vector_output("velocity", "m/s", velocity),),
         (touches_a_pulley(lengths), loses_rank(pivots)),
-        (Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18"),),
+        (length_label(lengths),),
     )
 
 

@@ -65,10 +65,6 @@ class Rig:
             "the pose is outside the wrench-feasible workspace for zero wrench",
         )
 
-    def label(self) -> Label:
-        """The lengths, named in the C."""
-        return Label("length", self.lengths, "l_i = |b_i - c|, Yoon eq. 18")
-
 
 def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
     """Least-norm tensions under zero wrench."""
@@ -88,7 +84,7 @@ def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
         rig.inputs,
         (vector_output("tension", "N", tension, fallback=machine.tension.min),),
         (rig.touching(), rank_lost(rig.space), inaccurate, outside),
-        (rig.label(),),
+        (kinematics.length_label(rig.lengths),),
     )
 
 
@@ -106,7 +102,7 @@ def tension_factor_function(machine: Machine) -> ModelFunction:
         rig.inputs,
         (scalar_output("factor", "1", where(outside.condition, 0, factor)),),
         (rig.touching(), rank_lost(rig.space), slack, outside),
-        (rig.label(), Label("rest", rest.tension, "T0")),
+        (kinematics.length_label(rig.lengths), Label("rest", rest.tension, "T0")),
     )
 
 
@@ -122,7 +118,7 @@ def isotropic_force_function(machine: Machine) -> ModelFunction:
         rig.inputs,
         (scalar_output("force", "N", radius),),
         (rig.touching(), outside),
-        (rig.label(),),
+        (kinematics.length_label(rig.lengths),),
     )
 
 
@@ -146,7 +142,7 @@ def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
         rig.inputs,
         (scalar_output("force", "N", where(outside.condition, 0, radius)),),
         (rig.touching(), rank_lost(rig.space), outside),
-        (rig.label(), Label("margin", margins, "t_i = T_max - T0_i")),
+        (kinematics.length_label(rig.lengths), Label("margin", margins, "t_i = T_max - T0_i")),
     )
 
 

@@ -5,7 +5,8 @@ on CasADi symbols (to generate code) and on SymPy symbols (to prove identities).
 root needs to know which of the two it got; the SymPy proof registers its own.
 """
 
-from functools import singledispatch
+from functools import reduce, singledispatch
+from operator import add
 from typing import Any, TypeAlias
 
 import casadi as ca
@@ -33,39 +34,24 @@ def clamp(value: Scalar, low: Scalar, high: Scalar) -> Scalar:
 
 def any_of(conditions: list[Scalar]) -> Scalar:
     """Whether one of the conditions holds."""
-    result = conditions[0]
-    for condition in conditions[1:]:
-        result = ca.logic_or(result, condition)
-    return result
+    return reduce(ca.logic_or, conditions)
 
 
 def all_of(conditions: list[Scalar]) -> Scalar:
     """Whether every condition holds."""
-    result = conditions[0]
-    for condition in conditions[1:]:
-        result = ca.logic_and(result, condition)
-    return result
+    return reduce(ca.logic_and, conditions)
 
 
 def largest(values: list[Scalar]) -> Scalar:
     """Largest of the values."""
-    result = values[0]
-    for value in values[1:]:
-        result = ca.fmax(result, value)
-    return result
+    return reduce(ca.fmax, values)
 
 
 def smallest(values: list[Scalar]) -> Scalar:
     """Smallest of the values."""
-    result = values[0]
-    for value in values[1:]:
-        result = ca.fmin(result, value)
-    return result
+    return reduce(ca.fmin, values)
 
 
 def total(values: list[Scalar]) -> Scalar:
     """Sum, added from the left: the order of the generated C."""
-    result = values[0]
-    for value in values[1:]:
-        result = result + value
-    return result
+    return reduce(add, values)

@@ -6,7 +6,7 @@ import tarfile
 from pathlib import Path
 
 from lab.benchmark.native import BUILD, PEER_FLAGS, ROOT, compile_object, run_tool
-from lab.benchmark.solvers.solver import Solver, adapter, c_solver
+from lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
 from model.machine import Machine
 
 PEERS = ROOT / "build" / "peers"
@@ -24,8 +24,7 @@ def daqp(machine: Machine) -> Solver:
         )
         for source in sorted((sources / "src").glob("*.c"))
     ]
-    bounds = f"-DTENSION_MIN={machine.tension.min!r}", f"-DTENSION_MAX={machine.tension.max!r}"
-    objects.append(adapter("daqp", (*flags, f"-isystem{sources}/include", *bounds)))
+    objects.append(adapter("daqp", (*flags, f"-isystem{sources}/include", *bound_flags(machine))))
     return c_solver("DAQP", "C, kept workspace, update + solve", objects)
 
 

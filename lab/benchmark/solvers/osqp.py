@@ -7,7 +7,7 @@ import osqp as package
 from scipy import sparse
 
 from lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
-from lab.benchmark.solvers.solver import Solver, adapter, c_solver
+from lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
 from model.machine import Machine
 
 FOLDER = BUILD / "osqp"
@@ -22,8 +22,7 @@ def osqp(machine: Machine) -> Solver:
         compile_object(source, FOLDER / f"{source.stem}.o", (*PEER_FLAGS, *includes))
         for source in sources
     ]
-    bounds = f"-DTENSION_MIN={machine.tension.min!r}", f"-DTENSION_MAX={machine.tension.max!r}"
-    objects.append(adapter("osqp", (*PEER_FLAGS, *includes, *bounds)))
+    objects.append(adapter("osqp", (*PEER_FLAGS, *includes, *bound_flags(machine))))
     return c_solver("OSQP", "generated C, default tolerance 1e-3", objects, column_major=True)
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from lab.benchmark.native import BUILD, OUR_WARNINGS, compile_object, load_library
 from lab.benchmark.tension_problems import Reals, TensionProblems
+from model.machine import Machine
 
 FOLDER = Path(__file__).parent
 
@@ -58,3 +59,8 @@ def adapter(name: str, flags: Sequence[str]) -> Path:
     """The object of <name>.c beside this file: the solver behind the common signature."""
     target = BUILD / f"{name}_adapter.o"
     return compile_object(FOLDER / f"{name}.c", target, (*flags, *OUR_WARNINGS))
+
+
+def bound_flags(machine: Machine) -> tuple[str, str]:
+    """The tension bounds [N] as definitions for an adapter."""
+    return f"-DTENSION_MIN={machine.tension.min!r}", f"-DTENSION_MAX={machine.tension.max!r}"
