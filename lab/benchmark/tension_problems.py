@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.machine import Machine, RailBase
+from model.machine import Machine
 from model.reference import kinematics
 
 Reals = NDArray[np.float64]
@@ -43,12 +43,6 @@ def tension_problems(machine: Machine, count: int, seed: int) -> list[TensionPro
     ]
 
 
-def rails_of(machine: Machine) -> list[RailBase]:
-    """The rails of the machine, in the order of the rail coordinates."""
-    bases = [machine.cables[i].base for i in machine.rail_cables]
-    return [base for base in bases if isinstance(base, RailBase)]
-
-
 def random_poses(machine: Machine, count: int, random: np.random.Generator) -> Reals:
     """Poses (count, d) [m] spread evenly over the target area."""
     centre, half = np.array(machine.target.centre), np.array(machine.target.size) / 2
@@ -57,7 +51,7 @@ def random_poses(machine: Machine, count: int, random: np.random.Generator) -> R
 
 def random_rails(machine: Machine, count: int, random: np.random.Generator) -> Reals:
     """Rail coordinates (count, m) [m] anywhere on the rails."""
-    lengths = [rail.length for rail in rails_of(machine)]
+    lengths = [rail.length for _, rail in kinematics.rails_of(machine)]
     return random.uniform(0.0, lengths, (count, len(lengths)))
 
 

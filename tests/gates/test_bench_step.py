@@ -22,7 +22,7 @@ def machine() -> Machine:
 @pytest.fixture(scope="module")
 def commands(machine: Machine) -> Reals:
     """What the runtime commands: motor torques [N m] (4), rail forces [N] (4)."""
-    return our_step(ROOT / "generated" / "yoon2023")(recorded_inputs(machine, CYCLES))
+    return our_step(machine, ROOT / "generated" / "yoon2023")(recorded_inputs(machine, CYCLES))
 
 
 def tolerances(machine: Machine) -> Reals:

@@ -48,7 +48,7 @@ def compare_steps(
     """Run the same recorded motion through both, in turn."""
     inputs = recorded_inputs(machine, cycles)
     controllers = {
-        ("turnbuckle", "status, torque gate and KKT check included"): our_step(generated),
+        ("turnbuckle", "status, torque gate and KKT check included"): our_step(machine, generated),
         ("CasADi C", "same model, qrqp, no status"): casadi_step(machine),
     }
     runs = {name: partial(run, inputs) for (name, _), run in controllers.items()}
@@ -67,12 +67,13 @@ def compare_steps(
     ]
 
 
-def our_step(generated: Path) -> Run:
+def our_step(machine: Machine, generated: Path) -> Run:
     """The runtime's step with one machine's generated code, as shipped."""
     sources = [generated / f"{topic}.c" for topic in TOPICS]
     sources += [CORE / "controller.c", CORE / "torque_gate.c", FOLDER / "turnbuckle_step.c"]
     flags = (*OUR_FLAGS, *OUR_WARNINGS, f"-I{generated}", f"-I{CORE}")
-    return stepper("turnbuckle_step", [built(source, flags) for source in sources], 8)
+    objects = [built(source, flags) for source in sources]
+    return stepper("turnbuckle_step", objects, machine)
 
 
 def casadi_step(machine: Machine) -> Run:
@@ -85,7 +86,7 @@ def casadi_step(machine: Machine) -> Run:
         built(source, PEER_FLAGS),
         built(FOLDER / "casadi_step.c", (*flags, *OUR_WARNINGS)),
     ]
-    return stepper("casadi_step", objects, 8)
+    return stepper("casadi_step", objects, machine)
 
 
 def layout(model: ModelStep) -> list[str]:
@@ -107,11 +108,12 @@ def built(source: Path, flags: Sequence[str]) -> Path:
     return compile_object(source, BUILD / "step" / f"{source.stem}.o", flags)
 
 
-def stepper(name: str, objects: Sequence[Path], outputs: int) -> Run:
-    """A compiled run_steps as a Python function."""
+def stepper(name: str, objects: Sequence[Path], machine: Machine) -> Run:
+    """A compiled run_steps as a Python function: rows of cable torques, then rail forces."""
     run_steps = load_library(name, objects).run_steps
     run_steps.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p]
     run_steps.restype = None
+    outputs = len(machine.cables) + len(machine.rail_cables)
 
     def run(inputs: Reals) -> Reals:
         result = np.empty((len(inputs), outputs))

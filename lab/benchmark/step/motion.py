@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from lab.benchmark.tension_problems import Reals, rails_of
+from lab.benchmark.tension_problems import Reals
 from model.machine import Machine
 from model.reference import kinematics
 
@@ -19,7 +19,8 @@ def recorded_inputs(machine: Machine, cycles: int) -> Reals:
     time = np.arange(cycles) / machine.control.rate
     turns = 2 * np.pi * time[:, None] / np.array(PERIODS)
     pose = machine.target.centre + REACH / 2 * np.array(machine.target.size) * np.sin(turns)
-    rails = np.stack([nearest(pose, rail.start, rail.direction) for rail in rails_of(machine)], 1)
+    rails_in_order = (rail for _, rail in kinematics.rails_of(machine))
+    rails = np.stack([nearest(pose, rail.start, rail.direction) for rail in rails_in_order], 1)
     lengths = kinematics.cable_lengths(machine, pose, rails)
     angle = 2 * np.pi * time / FORCE_PERIOD
     direction = np.stack([np.cos(angle), np.sin(angle)], 1)
