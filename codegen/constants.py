@@ -24,7 +24,7 @@ def constants(machine: Machine) -> list[list[Constant]]:
 
 def sizes(machine: Machine) -> list[Constant]:
     """How many of what."""
-    rail_count = len(machine.rail_cables)
+    rail_count = len(machine.rails)
     return [
         Constant("TB_DOF", str(machine.dof), "degrees of freedom of the platform"),
         Constant("TB_CABLES", str(len(machine.cables))),

@@ -51,7 +51,7 @@ class Controller:
         library = compile_library(sources, [folder, core], generated.precision)
         self._library = ctypes.CDLL(str(library))
         self._library.shim_run.restype = None
-        self._rails = len(generated.machine.rail_cables)
+        self._rails = len(generated.machine.rails)
         self.inputs_layout, self.outputs_layout, memory_layout = layouts(
             generated.machine, generated.precision
         )
@@ -122,7 +122,7 @@ class Controller:
 
 def layouts(machine: Machine, precision: str) -> tuple[np.dtype[np.void], ...]:
     """tb_inputs, tb_outputs and tb_controller of runtime/core/controller.h."""
-    n, m, d = (len(machine.cables),), (max(1, len(machine.rail_cables)),), (machine.dof,)
+    n, m, d = (len(machine.cables),), (max(1, len(machine.rails)),), (machine.dof,)
     reals = REALS[precision]
     inputs = [
         ("lengths", reals, n),

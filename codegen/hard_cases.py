@@ -43,7 +43,7 @@ class HardSampler(Sampler):
         """Bases beside where they were: nearly on a border, nearly at their targets."""
         rails = self.rails[rows]
         noise = self.random.standard_normal(rails.shape) * self.small(len(rails))
-        ends = [base.length for base in self.rail_bases()]
+        ends = [rail.length for rail in self.machine.rails]
         self.rails[rows] = np.clip(rails + noise, 0.0, ends) if ends else rails
 
     def move_to_a_pulley(self, rows: slice) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from model.machine import FixedBase, Machine, RailBase
+from model.machine import Machine
 
 Array = NDArray[np.float64]
 
@@ -45,32 +45,26 @@ class Sampler:
         points: Array = lows + fraction * (highs - lows)
         return points
 
-    def rail_bases(self) -> list[RailBase]:
-        """The bases that slide."""
-        bases = [self.machine.cables[i].base for i in self.machine.rail_cables]
-        return [base for base in bases if isinstance(base, RailBase)]
-
     def draw_rails(self) -> Array:
         """Rail coordinates: half of them where the bases would follow the platform."""
-        bases = self.rail_bases()
-        anywhere = self.box([0.0] * len(bases), [base.length for base in bases])
-        tracking = anywhere.copy()
-        for k, base in enumerate(bases):
-            arm = self.pose - np.asarray(base.start)
-            tracking[:, k] = np.clip(arm @ np.asarray(base.direction), 0.0, base.length)
+        rails = self.machine.rails
+        anywhere = self.box([0.0] * len(rails), [rail.length for rail in rails])
+        feet = np.zeros_like(anywhere)
+        for motion in self.machine.base_motions:
+            arm = self.pose - np.asarray(motion.start)
+            for k, direction in motion.travel:
+                feet[:, k] += arm @ np.asarray(direction) / len(rails[k].cables)
+        tracking = np.clip(feet, 0.0, [rail.length for rail in rails])
         follows = self.random.random((self.count, 1)) < TRACKING_SHARE
         return np.where(follows, tracking, anywhere)
 
     def base_points(self) -> Array:
         """Pulley points (count, n, d)."""
-        points = np.empty((self.count, len(self.machine.cables), self.machine.dof))
-        column = {cable: k for k, cable in enumerate(self.machine.rail_cables)}
-        for i, cable in enumerate(self.machine.cables):
-            if isinstance(cable.base, FixedBase):
-                points[:, i] = cable.base.position
-            else:
-                coordinate = self.rails[:, column[i], None]
-                points[:, i] = cable.base.start + coordinate * np.asarray(cable.base.direction)
+        points = np.empty((self.count, len(self.machine.cables), self.machine.space))
+        for i, motion in enumerate(self.machine.base_motions):
+            points[:, i] = motion.start
+            for k, direction in motion.travel:
+                points[:, i] += self.rails[:, k, None] * np.asarray(direction)
         return points
 
     def symmetric(self, size: int, bound: float) -> Array:
@@ -113,7 +107,7 @@ def _observer_memory(sampler: Sampler, size: int) -> Array:
 def _pid_memory(sampler: Sampler, size: int) -> Array:
     drive = sampler.machine.rail_drive
     assert drive is not None
-    count = len(sampler.machine.rail_cables)
+    count = len(sampler.machine.rails)
     rest = sampler.memory([drive.force_limit, 1.0], count).reshape(sampler.count, count, 2)
     measured = sampler.rails + sampler.symmetric(count, 1e-3)
     return np.stack([rest[:, :, 0], measured, rest[:, :, 1]], axis=2)

@@ -16,7 +16,8 @@ from codegen.controller import Controller, Outputs
 from lab.hand import Hand
 from lab.plant import PlanarPlant
 from lab.task import Phase, Task
-from model.machine import Machine, Plant, RailBase
+from model.machine import Machine, Plant
+from model.reference.control import base_targets
 
 Reals = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -54,11 +55,12 @@ def run_task(
 ) -> Recording:
     """Run a task from standstill; `progress` is told the share that is done."""
     start, _, _ = task.path.at(0.0)
-    world = PlanarPlant(machine, plant, Hand(plant, task.path), start, rails_at(machine, start))
+    rails = base_targets(machine, start).tolist()
+    world = PlanarPlant(machine, plant, Hand(plant, task.path), start, rails)
     inputs = controller.recording(ceil(task.path.end * machine.control.rate))
     inputs["options"] = options
     controller.start(world.lengths, world.rails)
-    torques, rail_forces = [0.0] * len(machine.cables), [0.0] * len(machine.rail_cables)
+    torques, rail_forces = [0.0] * len(machine.cables), [0.0] * len(machine.rails)
     rows: list[dict[str, Any]] = []
     outputs: list[Outputs] = []
     for cycle in range(len(inputs)):
@@ -72,16 +74,6 @@ def run_task(
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
     joined = Outputs(*(np.concatenate(column) for column in zip(*outputs, strict=True)))
     return Recording(task=task, inputs=inputs, outputs=joined, **columns)
-
-
-def rails_at(machine: Machine, position: tuple[float, float]) -> list[float]:
-    """Rail coordinates [m] (m) of the bases nearest to a position [m]."""
-    rails = [machine.cables[index].base for index in machine.rail_cables]
-    return [
-        float(np.dot(np.subtract(rail.nearest(position), rail.start), rail.direction))
-        for rail in rails
-        if isinstance(rail, RailBase)
-    ]
 
 
 def _look(world: PlanarPlant, task: Task) -> dict[str, Any]:

@@ -11,12 +11,13 @@ from rich.table import Table
 
 from codegen.bind import Generated, load
 from codegen.controller import UNCOMPENSATED, Controller
-from lab.bench import Reals, Recording, rails_at, run_task
+from lab.bench import Reals, Recording, run_task
 from lab.plots import draw
 from lab.summary import Summary, summarise
 from lab.task import Planner, Task
 from model.machine import Machine, Plant, load_machine
 from model.problem import MachineError, Problem
+from model.reference.control import base_targets
 
 Progress = Callable[[str, float], None]
 """Told what is being done, and the share of it that is done."""
@@ -66,8 +67,24 @@ def run_demo(
     return DemoResult(machine, recording, summary, uncompensated, nanoseconds, picture)
 
 
+def _refuse_other_machines(machine: Machine) -> None:
+    """The bench knows points in the plane, straight cables, one carriage a rail."""
+    problem = None
+    if machine.kind != "planar-point":
+        problem = Problem("machine.kind", machine.kind, "planar-point, for the virtual bench")
+    elif any(machine.pulleys):
+        problem = Problem("pulley", "a radius", "none, for the virtual bench")
+    elif any(len(rail.cables) > 1 for rail in machine.rails):
+        problem = Problem("cable", "coupled rails", "a drive a rail, for the virtual bench")
+    elif any(cable.plane for cable in machine.cables):
+        problem = Problem("cable", "a base in a plane", "rails, for the virtual bench")
+    if problem:
+        raise MachineError(machine.path, [problem])
+
+
 def plant_of(machine: Machine) -> Plant:
     """The physics of a machine; MachineError when its file does not tell enough of it."""
+    _refuse_other_machines(machine)
     plant = machine.plant
     if plant is None:
         raise MachineError(
@@ -88,7 +105,7 @@ def plan_task(generated: Generated) -> Task:
 def capability(generated: Generated, positions: Reals) -> Reals:
     """Force [N] (k) in every direction at positions [m] (k, 2), bases where they belong."""
     machine = generated.machine
-    rails = np.array([rails_at(machine, (float(x), float(y))) for x, y in positions])
+    rails = base_targets(machine, positions)
     forces = generated.isotropic_force(positions, rails)
     return np.where(forces.status == 0, np.asarray(forces), 0.0)
 

@@ -41,8 +41,8 @@ class PlanarPlant:
         self, machine: Machine, plant: Plant, holder: Holder, position: Pair, rails: Sequence[float]
     ) -> None:
         self._strands = strands(machine, plant)
-        self._rail_cables = machine.rail_cables
-        self._carriages = [self._strands[index] for index in machine.rail_cables]
+        self._rail_cables = [cable for rail in machine.rails for cable in rail.cables]
+        self._carriages = [self._strands[index] for index in self._rail_cables]
         self._holder = holder
         self._mass = plant.handle_mass + holder.mass
         self._radius = machine.drum.radius

@@ -12,7 +12,7 @@ from matplotlib.patches import Polygon, Rectangle
 from lab.bench import Reals, Recording
 from lab.summary import penetration
 from lab.task import Phase
-from model.machine import FixedBase, Machine, Wall
+from model.machine import Machine, Wall
 
 MM = 1e3
 CABLES = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#7F7F7F"]
@@ -135,14 +135,12 @@ def draw_cables(
 ) -> None:
     """Rails, bases and cables of one pose, and the handle."""
     x, y = MM * recording.position[cycle]
-    rails = iter(recording.rails[cycle])
-    for cable, colour in zip(machine.cables, CABLES * len(machine.cables), strict=False):
-        base = cable.base
-        if isinstance(base, FixedBase):
-            point = base.position
-        else:
-            point = base.point(next(rails))
-            ends = MM * np.array([base.start, base.end])
+    rails = recording.rails[cycle]
+    for motion, colour in zip(machine.base_motions, CABLES * len(machine.cables), strict=False):
+        point = motion.point(rails)
+        for k, direction in motion.travel:
+            reach = machine.rails[k].length * np.array(direction)
+            ends = MM * (np.array(motion.start) + np.outer([0.0, 1.0], reach))
             axes.plot(*ends.T, color=FAINT, lw=3.5, solid_capstyle="round", zorder=1)
         axes.plot([x, MM * point[0]], [y, MM * point[1]], color=colour, alpha=alpha, lw=1.8)
         axes.plot(MM * point[0], MM * point[1], "s", color=colour, alpha=alpha, ms=11)

@@ -14,7 +14,8 @@ These are linear in T and s''; eliminating s'' leaves T = pull - inertia lhat . 
 from dataclasses import dataclass
 from math import copysign, exp, hypot
 
-from model.machine import FixedBase, Machine, Plant, RailBase
+from model.base import BaseMotion
+from model.machine import Machine, Plant
 
 Pair = tuple[float, float]
 
@@ -125,8 +126,8 @@ def strands(machine: Machine, plant: Plant) -> list[Strand]:
     """The cables of a machine, at rest at the start of their rails."""
     motor_mass = machine.cable_motor.inertia / machine.drum.radius**2
     return [
-        Strand(_rail(cable.base, plant), *_frictions(machine, plant), motor_mass)
-        for cable in machine.cables
+        Strand(_rail(machine, motion, plant), *_frictions(machine, plant), motor_mass)
+        for motion in machine.base_motions
     ]
 
 
@@ -139,8 +140,10 @@ def _frictions(machine: Machine, plant: Plant) -> tuple[Friction, Friction]:
     )
 
 
-def _rail(base: FixedBase | RailBase, plant: Plant) -> Rail:
-    if isinstance(base, FixedBase):
-        return Rail(base.position, (0.0, 0.0), length=0.0, mobility=0.0)
+def _rail(machine: Machine, motion: BaseMotion, plant: Plant) -> Rail:
+    x, y = motion.start
+    if not motion.travel:
+        return Rail((x, y), (0.0, 0.0), length=0.0, mobility=0.0)
     assert plant.carriage_mass is not None  # a machine file with rails states it
-    return Rail(base.start, base.direction, base.length, 1.0 / plant.carriage_mass)
+    ((number, (ex, ey)),) = motion.travel
+    return Rail((x, y), (ex, ey), machine.rails[number].length, 1.0 / plant.carriage_mass)

@@ -85,7 +85,8 @@ class Planner:
         self._machine = machine
         self._plant = plant
         self._capability = capability
-        self._centre = self._cleared(machine.target.centre)
+        x, y = machine.target.centre
+        self._centre = self._cleared((x, y))
         self._path = Path(self._centre, rest=TENSIONING)
         self._phases: list[Phase] = []
         self._notes: list[str] = []

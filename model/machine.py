@@ -3,17 +3,29 @@
 import json
 import math
 import tomllib
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr, ValidationError
+from pydantic import BeforeValidator, ConfigDict, Field, PrivateAttr, ValidationError
 
+from model.base import (
+    Base,
+    BaseMotion,
+    Coordinates,
+    FixedBase,
+    PlaneBase,
+    RailBase,
+    RailCoordinate,
+    motions,
+)
 from model.consistency import consistency_problems
 from model.kind import KINDS
 from model.problem import MachineError, Problem, schema_problems
+from model.pulley import SENSE, Pulley, PulleyTable
 from model.quantity import (
+    Angle,
+    AngleOrZero,
     Damping,
     Force,
     ForceOrZero,
@@ -32,18 +44,13 @@ from model.quantity import (
     TorqueRate,
     UnitVector,
 )
+from model.table import Table
 from model.words import CommentLine, Identifier, KindName
 
 __all__ = ["Machine", "MachineError", "json_schema", "load_machine"]
 
 # A double pole 1/(tau s + 1)^2 has fallen by 3 dB where w tau is this.
 DOUBLE_POLE_3DB = math.sqrt(math.sqrt(2) - 1)
-
-
-class Table(BaseModel):
-    """A table of the machine file: nothing but its own keys, never changed after reading."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", str_strip_whitespace=True)
 
 
 class Identity(Table):
@@ -55,67 +62,46 @@ class Identity(Table):
 
 
 class Frame(Table):
-    """The rectangle that holds the bases; its lower left corner is the origin."""
+    """The rectangle or box that holds the bases; its corner with the least coordinates is zero."""
 
-    size: Size = Field(description="width and height of the frame [m]")
-
-
-@dataclass(frozen=True)
-class FixedBase:
-    """A base that stays at `position` [m]."""
-
-    position: tuple[float, float]
-
-    def nearest(self, point: tuple[float, float]) -> tuple[float, float]:
-        """The base's position nearest to `point` [m]: its only one."""
-        return self.position
-
-
-class RailBase(Table):
-    """A base that slides on a straight rail; rail coordinate s [m] counts from `start`."""
-
-    start: Point = Field(alias="from", description="where the rail begins, lengths [x, y]")
-    end: Point = Field(alias="to", description="where the rail ends, lengths [x, y]")
+    size: Size = Field(description="extent of the frame along every axis [m]")
 
     @property
-    def length(self) -> float:
-        """Length of the rail [m]."""
-        return math.dist(self.start, self.end)
+    def centre(self) -> Coordinates:
+        """The middle of the frame [m]."""
+        return tuple(side / 2 for side in self.size)
 
-    @property
-    def direction(self) -> tuple[float, float]:
-        """Unit vector e from `start` to `end`."""
-        (x0, y0), (x1, y1), length = self.start, self.end, self.length
-        return (x1 - x0) / length, (y1 - y0) / length
 
-    def point(self, s: float) -> tuple[float, float]:
-        """The base's position [m] at rail coordinate s [m]."""
-        (x, y), (ex, ey) = self.start, self.direction
-        return x + s * ex, y + s * ey
+class Platform(Table):
+    """The body that the cables hold; due for the rigid kinds."""
 
-    def nearest(self, point: tuple[float, float]) -> tuple[float, float]:
-        """The position [m] nearest to `point` [m]: foot of the perpendicular, kept on the rail."""
-        (x, y), (ex, ey) = self.start, self.direction
-        s = (point[0] - x) * ex + (point[1] - y) * ey
-        return self.point(min(max(s, 0.0), self.length))
+    rotation: Angle = Field(description="largest rotation either way from upright [rad]")
 
 
 class Cable(Table):
-    """A cable: its base, fixed or on a rail, and the drive that winds it."""
+    """A cable: its anchor, its base (fixed, on a rail or in a plane), its pulley and its drive."""
 
     model_config = ConfigDict(
-        json_schema_extra={"oneOf": [{"required": ["base"]}, {"required": ["rail"]}]}
+        json_schema_extra={"oneOf": [{"required": [key]} for key in ("base", "rail", "plane")]}
     )
 
+    anchor: Point | None = Field(
+        None, description="where a rigid platform holds the cable, from its centre [m]"
+    )
     fixed: Point | None = Field(None, alias="base", description="where a fixed base stays [m]")
     rail: RailBase | None = Field(None, description="the rail a movable base slides on")
+    plane: PlaneBase | None = Field(None, description="the plane a movable base moves in")
+    pulley: PulleyTable | None = Field(
+        None, description="this cable's pulley; the table [pulley] by default"
+    )
     drive: Identifier = Field("", description="name of the drive; cable_<number> by default")
 
     @cached_property
-    def base(self) -> FixedBase | RailBase:
+    def base(self) -> Base:
         """Where the cable's pulley is; load_machine has seen to it that there is one."""
-        if self.rail is not None:
-            return self.rail
+        base = self.rail or self.plane
+        if base is not None:
+            return base
         assert self.fixed is not None
         return FixedBase(self.fixed)
 
@@ -206,20 +192,26 @@ class Wall(Table):
     """A virtual wall (Yoon eqs 26, 27): spring and damper behind a line."""
 
     name: Identifier = Field(description="name of the wall")
-    point: Point = Field(description="a point on the surface, lengths [x, y]")
+    point: Point = Field(description="a point on the surface, one length an axis")
     normal: UnitVector = Field(
-        description="two plain numbers [x, y]: the direction out of the wall, to the free side"
+        description="plain numbers, one an axis: the direction out of the wall, to the free side"
     )
     stiffness: Stiffness = Field(description="stiffness of the wall [N/m]")
     damping: Damping = Field(description="damping of the wall [N s/m]")
 
 
 class Target(Table):
-    """What the user needs to reach: a rectangle, and a force in every direction in it."""
+    """What the user needs to reach: a rectangle or box, and a force in every direction in it."""
 
-    size: Size = Field(description="width and height of the target [m]")
-    centre: Point = Field(description="centre of the target, lengths [x, y]")
+    size: Size = Field(description="extent of the target along every axis [m]")
+    centre: Point = Field(description="centre of the target, one length an axis")
     force: Force = Field(description="wanted force in every direction [N]")
+    moment: TorqueOrZero = Field(
+        0.0, description="rigid kinds: wanted moment in every direction, at the same time [N m]"
+    )
+    rotation: AngleOrZero = Field(
+        0.0, description="rigid kinds: wanted rotation either way about every axis [rad]"
+    )
 
 
 class Plant(Table):
@@ -259,6 +251,10 @@ class Machine(Table):
 
     identity: Identity = Field(alias="machine", description="the table [machine]")
     frame: Frame = Field(description="the table [frame]")
+    platform: Platform | None = Field(None, description="due for the rigid kinds")
+    pulley: PulleyTable | None = Field(
+        None, description="the pulleys of all cables that name none; radius zero without it"
+    )
     cables: Annotated[tuple[Cable, ...], BeforeValidator(_name_drives)] = Field(
         alias="cable", description="one table [[cable]] for each cable"
     )
@@ -302,14 +298,71 @@ class Machine(Table):
         return KINDS[self.kind].dof
 
     @property
+    def space(self) -> int:
+        """Dimension of the space the platform moves in, 2 or 3."""
+        return KINDS[self.kind].space
+
+    @property
+    def is_rigid(self) -> bool:
+        """Whether the platform turns."""
+        return KINDS[self.kind].is_rigid
+
+    @property
     def redundancy(self) -> int:
         """r = n - d."""
         return len(self.cables) - self.dof
 
     @property
-    def rail_cables(self) -> tuple[int, ...]:
-        """Indices of the cables on rails; rail coordinate k belongs to cable rail_cables[k]."""
-        return tuple(i for i, cable in enumerate(self.cables) if cable.rail is not None)
+    def anchors(self) -> tuple[Coordinates, ...]:
+        """p_i [m] of every cable, in the platform's own frame."""
+        return tuple(cable.anchor or (0.0,) * self.space for cable in self.cables)
+
+    @property
+    def lever(self) -> float:
+        """Root mean square of |p_i| [m], which makes moments comparable with forces; 1 for points.
+
+        Norms of wrenches are those of [F; M / lever].
+        """
+        squares = sum(x * x for anchor in self.anchors for x in anchor)
+        return math.sqrt(squares / len(self.anchors)) if self.is_rigid else 1.0
+
+    @property
+    def rotation(self) -> float:
+        """Largest rotation of the platform either way [rad]; 0 for points."""
+        return self.platform.rotation if self.platform else 0.0
+
+    @property
+    def _motions(self) -> tuple[tuple[BaseMotion, ...], tuple[RailCoordinate, ...]]:
+        bases = tuple(cable.base for cable in self.cables)
+        return motions(bases, tuple(cable.drive for cable in self.cables))
+
+    @property
+    def base_motions(self) -> tuple[BaseMotion, ...]:
+        """How the pulley point of every cable follows the rail coordinates."""
+        return self._motions[0]
+
+    @property
+    def rails(self) -> tuple[RailCoordinate, ...]:
+        """The rail coordinates s_k: one an actuator, two for a base in a plane."""
+        return self._motions[1]
+
+    @property
+    def pulleys(self) -> tuple[Pulley | None, ...]:
+        """The pulley of every cable; None where its radius is zero."""
+        tables = [cable.pulley or self.pulley for cable in self.cables]
+        return tuple(
+            self._pulley(table, motion) if table else None
+            for table, motion in zip(tables, self.base_motions, strict=True)
+        )
+
+    def _pulley(self, table: PulleyTable, motion: BaseMotion) -> Pulley:
+        if self.space == 3:
+            assert table.axis is not None  # load_machine has seen to it
+            return Pulley(table.radius, axis=table.axis)
+        base = motion.point([rail.length / 2 for rail in self.rails])
+        away = tuple(b - c for b, c in zip(base, self.frame.centre, strict=True))
+        contact = table.contact or tuple(x / math.hypot(*away) for x in away)
+        return Pulley(table.radius, SENSE[table.winds], contact)
 
     def describe(self) -> list[tuple[str, str]]:
         """The machine at a glance: rows of (label, value), in words and common units."""
@@ -322,16 +375,29 @@ class Machine(Table):
             ("rails", self._rails_in_words()),
             ("tension", f"{self.tension.min:g} to {self.tension.max:g} N"),
             ("when infeasible", self.tension.when_infeasible),
+            ("pulley radius", self._pulleys_in_words()),
             ("drum radius", _in_mm(self.drum.radius)),
             ("control rate", f"{self.control.rate:g} Hz"),
             ("disturbance observer", self._observer_in_words()),
             ("walls", ", ".join(wall.name for wall in self.walls) or "none"),
-            ("target", f"{_in_mm(*self.target.size)}, {self.target.force:g} N in every direction"),
+            ("target", self._target_in_words()),
         ]
 
     def _rails_in_words(self) -> str:
-        rails = [cable.rail for cable in self.cables if cable.rail is not None]
-        return ", ".join(_in_mm(rail.length) for rail in rails) or "none"
+        return ", ".join(_in_mm(rail.length) for rail in self.rails) or "none"
+
+    def _pulleys_in_words(self) -> str:
+        radii = [pulley.radius if pulley else 0.0 for pulley in self.pulleys]
+        return ", ".join(map(_in_mm, radii if len(set(radii)) > 1 else radii[:1]))
+
+    def _target_in_words(self) -> str:
+        target = self.target
+        text = f"{_in_mm(*target.size)}, {target.force:g} N in every direction"
+        if target.moment:
+            text += f", {target.moment * 1e3:g} mN m about every axis"
+        if target.rotation:
+            text += f", turned by up to {math.degrees(target.rotation):g} deg"
+        return text
 
     def _observer_in_words(self) -> str:
         observer = self.disturbance_observer

@@ -81,6 +81,14 @@ def key_path(location: Location) -> str:
     return path
 
 
+def problem_at(tables: dict[str, Any], location: Location, allowed: str) -> Problem:
+    """A problem whose `found` is what the file says at `location`."""
+    value: Any = tables
+    for part in location:
+        value = value[part]
+    return Problem(key_path(location), shown(value), allowed)
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
     """ "; did you mean ...?" when a known word is close, else ""."""
     close = difflib.get_close_matches(word, list(known), n=1)

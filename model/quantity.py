@@ -94,8 +94,11 @@ class Quantity:
             raise refusal(f"{self.allowed} ({target.dimensionality})", f"{found} ({dimension})")
         quantity = _registry().Quantity(number, unit)
         # To pint an angle is a plain number: 1 rad/s would pass for 1 Hz.
-        if self.si == "Hz" and "radian" in dict(quantity.to_root_units().unit_items()):
+        is_angle = "radian" in dict(quantity.to_root_units().unit_items())
+        if self.si == "Hz" and is_angle:
             raise refusal(f"{self.allowed} (cycles, not angle, per second)")
+        if self.si == "rad" and not is_angle:
+            raise refusal(f"{self.allowed} (an angle)", f"{found}, which is no angle")
         return float(quantity.to(target).magnitude)
 
     def _check_size(self, magnitude: float) -> None:
@@ -116,30 +119,30 @@ class Quantity:
         return {"type": "string", "pattern": rf"^\s*{NUMBER}\s*\S+.*$", "examples": [self.example]}
 
 
-def _pair(what: str, example: str) -> BeforeValidator:
-    """Refuses anything but an array of two, before its entries are looked at."""
+def _array(what: str, example: str) -> BeforeValidator:
+    """Refuses anything but an array of two or three, before its entries are looked at."""
 
     def check(value: object) -> object:
-        if isinstance(value, list) and len(value) == 2:
+        if isinstance(value, list) and len(value) in (2, 3):
             return value
-        raise refusal(f"an array of two {what}, such as {example}")
+        raise refusal(f"an array of two or three {what}, such as {example}")
 
     return BeforeValidator(check)
 
 
-def _unit_vector(value: object) -> tuple[float, float]:
-    """Two plain numbers -> the vector of length 1 along them."""
-    allowed = "two plain numbers, finite and not both zero, such as [-1, 0]"
+def _unit_vector(value: object) -> tuple[float, ...]:
+    """Two or three plain numbers -> the vector of length 1 along them."""
+    allowed = "two or three plain numbers, finite and not all zero, such as [-1, 0]"
     try:
-        x, y = map(_plain_number, value if isinstance(value, list) else [])
+        entries = [_plain_number(entry) for entry in (value if isinstance(value, list) else [])]
     except (ValueError, OverflowError):
         raise refusal(allowed) from None
-    largest = max(abs(x), abs(y))
-    if not 0 < largest < math.inf:
+    largest = max(map(abs, entries), default=0.0)
+    if len(entries) not in (2, 3) or not 0 < largest < math.inf:
         raise refusal(allowed)
-    length = math.hypot(x / largest, y / largest)
+    length = math.hypot(*(entry / largest for entry in entries))
     # Adding zero makes a plain zero of a negative one.
-    return x / largest / length + 0.0, y / largest / length + 0.0
+    return tuple(entry / largest / length + 0.0 for entry in entries)
 
 
 def _plain_number(value: object) -> float:
@@ -171,6 +174,8 @@ IntegralGain = Annotated[
     float, Quantity("an integral gain", "N/(m*s)", "30000 N/(m*s)", sign="not negative")
 ]
 Damping = Annotated[float, Quantity("a damping", "N*s/m", "5 N*s/m", sign="not negative")]
-Point = Annotated[tuple[Coordinate, Coordinate], _pair("lengths [x, y]", '["0 mm", "461.8 mm"]')]
-Size = Annotated[tuple[Length, Length], _pair("lengths [width, height]", '["506 mm", "284 mm"]')]
-UnitVector = Annotated[tuple[float, float], BeforeValidator(_unit_vector)]
+Angle = Annotated[float, Quantity("an angle", "rad", "45 deg")]
+AngleOrZero = Annotated[float, Quantity("an angle", "rad", "20 deg", sign="not negative")]
+Point = Annotated[tuple[Coordinate, ...], _array("lengths", '["0 mm", "461.8 mm"]')]
+Size = Annotated[tuple[Length, ...], _array("lengths", '["506 mm", "284 mm"]')]
+UnitVector = Annotated[tuple[float, ...], BeforeValidator(_unit_vector)]

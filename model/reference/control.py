@@ -59,7 +59,7 @@ def base_targets(machine: Machine, pose: npt.ArrayLike) -> Array:
     On the rails of Yoon's frame this is the orthogonal configuration (section III-B).
     """
     (pose,) = as_floating(pose)
-    targets = np.empty((*pose.shape[:-1], len(machine.rail_cables)), pose.dtype)
+    targets = np.empty((*pose.shape[:-1], len(machine.rails)), pose.dtype)
     for k, (_, rail) in enumerate(rails_of(machine)):
         start, direction, length = rail_line(rail, pose.dtype)
         targets[..., k] = np.clip(np.sum((pose - start) * direction, axis=-1), 0, length)

@@ -1,7 +1,8 @@
 """Kinematics of a point platform with movable bases (Yoon section II-A, eqs 1 to 6, 18 to 20).
 
 pose (..., 2) [m], rails (..., m) [m along each rail from its start]. A machine without rails does
-not read `rails`. n cables, m rails. Rail coordinate k belongs to cable `machine.rail_cables[k]`.
+not read `rails`. n cables, m rails. Rail coordinate k moves the cables
+`machine.rails[k].cables`.
 """
 
 from typing import NamedTuple
@@ -9,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine, RailBase
+from model.base import RailBase
+from model.machine import Machine
 from model.reference.planar import Array, as_floating, in_chunks, least_squares, norm
 
 MOST_ITERATIONS = 100
@@ -31,10 +33,10 @@ def base_points(machine: Machine, rails: npt.ArrayLike) -> Array:
     for i, cable in enumerate(machine.cables):
         if isinstance(cable.base, RailBase):
             start, along, _ = rail_line(cable.base, coordinates.dtype)
-            coordinate = coordinates[..., machine.rail_cables.index(i)]
+            coordinate = coordinates[..., machine.base_motions[i].travel[0][0]]
             points[..., i, :] = start + coordinate[..., None] * along
         else:
-            points[..., i, :] = cable.base.position
+            points[..., i, :] = machine.base_motions[i].start
     return points
 
 
@@ -65,7 +67,7 @@ def length_jacobian(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike)
 def rail_jacobian(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
     """d length / d rails (..., n, m): unit cable vector times rail direction (Yoon eq. 3)."""
     directions = _directions(cable_vectors(machine, pose, rails))
-    jacobian = np.zeros((*directions.shape[:-1], len(machine.rail_cables)), directions.dtype)
+    jacobian = np.zeros((*directions.shape[:-1], len(machine.rails)), directions.dtype)
     for k, (i, rail) in enumerate(rails_of(machine)):
         _, along, _ = rail_line(rail, directions.dtype)
         jacobian[..., i, k] = np.sum(directions[..., i, :] * along, axis=-1)
@@ -86,7 +88,7 @@ def task_velocity(
     """
     pose, rails, length_rates, rail_rates = as_floating(pose, rails, length_rates, rail_rates)
     reel = length_rates
-    if machine.rail_cables:
+    if machine.rails:
         along = rail_jacobian(machine, pose, rails)
         reel = reel - np.sum(along * rail_rates[..., None, :], axis=-1)
     return least_squares(length_jacobian(machine, pose, rails), reel)

@@ -4,7 +4,7 @@ The bounds are wide: they exist so that no arithmetic overflows in single precis
 refused, not to say what is sensible for the machine.
 """
 
-from model.machine import Machine, RailBase
+from model.machine import Machine
 from model.symbolic.function import Input, bounded_input, make_input
 
 #: Commands and measurements may exceed the machine's own limits by this factor.
@@ -22,14 +22,8 @@ def pose(machine: Machine) -> Input:
 
 def rails(machine: Machine, name: str = "rails") -> Input:
     """Rail coordinates s_i: twice the longest rail."""
-    lengths = rail_lengths(machine)
-    return bounded_input(name, (len(lengths),), "m", 2 * max(lengths, default=0.0))
-
-
-def rail_lengths(machine: Machine) -> list[float]:
-    """Length of every rail [m]."""
-    bases = [machine.cables[i].base for i in machine.rail_cables]
-    return [base.length for base in bases if isinstance(base, RailBase)]
+    longest = max((rail.length for rail in machine.rails), default=0.0)
+    return bounded_input(name, (len(machine.rails),), "m", 2 * longest)
 
 
 def lengths(machine: Machine, name: str = "lengths") -> Input:
@@ -47,7 +41,7 @@ def rates(machine: Machine) -> tuple[Input, Input]:
     """Speeds of all cables and of all rails."""
     return (
         speeds("length_rates", len(machine.cables)),
-        speeds("rail_rates", len(machine.rail_cables)),
+        speeds("rail_rates", len(machine.rails)),
     )
 
 

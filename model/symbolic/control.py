@@ -4,7 +4,7 @@ import math
 
 import casadi as ca
 
-from model.machine import FixedBase, Machine, Wall
+from model.machine import Machine, Wall
 from model.symbolic import arguments
 from model.symbolic.function import (
     Label,
@@ -16,7 +16,7 @@ from model.symbolic.function import (
 )
 from model.symbolic.kinematics import loses_rank
 from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract
-from model.symbolic.scalar import Scalar, Vector, clamp, where
+from model.symbolic.scalar import Scalar, Vector, clamp, total, where
 
 #: Largest result that control laws answer, in its own unit: far beyond any machine.
 LARGEST = 1e9
@@ -66,12 +66,15 @@ def wall_push(wall: Wall, pose: Vector, velocity: Vector) -> Scalar:
 def base_targets_function(machine: Machine) -> ModelFunction:
     """Where the bases go so that each cable is perpendicular to its rail."""
     pose = arguments.pose(machine)
-    targets: Vector = []
-    for number in machine.rail_cables:
-        base = machine.cables[number].base
-        assert not isinstance(base, FixedBase)
-        arm = subtract(pose.scalars(), list(base.start))
-        targets.append(clamp(dot(arm, list(base.direction)), 0, base.length))
+    feet: list[Vector] = [[] for _ in machine.rails]
+    for motion in machine.base_motions:
+        arm = subtract(pose.scalars(), list(motion.start))
+        for number, direction in motion.travel:
+            feet[number].append(dot(arm, list(direction)))
+    targets = [
+        clamp(total(foot) / len(foot), 0, rail.length)
+        for foot, rail in zip(feet, machine.rails, strict=True)
+    ]
     return ModelFunction(
         "base_targets",
         "Rail coordinates of the orthogonal configuration: the foot of the pose on each rail",
@@ -85,7 +88,7 @@ def base_pid_function(machine: Machine) -> ModelFunction:
     """Position control of the bases."""
     drive = machine.rail_drive
     assert drive is not None
-    count = len(machine.rail_cables)
+    count = len(machine.rails)
     period = 1 / machine.control.rate
     memory = judged_by_results(arguments.memory((count, 3), "N, m, m/s"))
     target = judged_by_results(arguments.rails(machine, "target"))
@@ -203,7 +206,7 @@ def functions(machine: Machine) -> list[ModelFunction]:
         wall_force_function(machine),
         load_tension_function(machine),
     ]
-    if machine.rail_cables:
+    if machine.rails:
         result += [base_targets_function(machine), base_pid_function(machine)]
     if machine.disturbance_observer is not None:
         result.append(observe_disturbance_function(machine))

@@ -2,7 +2,8 @@
 
 import casadi as ca
 
-from model.machine import Cable, FixedBase, Machine
+from model.base import BaseMotion
+from model.machine import Machine
 from model.symbolic import arguments
 from model.symbolic.function import (
     EPSILON,
@@ -37,21 +38,16 @@ PIVOT_ROUNDINGS = 4096.0
 
 def base_points(machine: Machine, rails: Vector) -> Matrix:
     """Pulley points b_i [m], one row a cable: fixed, or `from` + s_i along the rail."""
-    coordinate = dict(zip(machine.rail_cables, rails, strict=True))
-    return [
-        base_point(cable, coordinate.get(number)) for number, cable in enumerate(machine.cables)
-    ]
+    return [base_point(motion, rails) for motion in machine.base_motions]
 
 
-def base_point(cable: Cable, coordinate: Scalar) -> Vector:
+def base_point(motion: BaseMotion, rails: Vector) -> Vector:
     """Pulley point of one cable [m]."""
-    base = cable.base
-    if isinstance(base, FixedBase):
-        return list(base.position)
-    return [
-        start + slope * coordinate if slope else start
-        for start, slope in zip(base.start, base.direction, strict=True)
-    ]
+    point: Vector = list(motion.start)
+    for number, direction in motion.travel:
+        slides = zip(point, direction, strict=True)
+        point = [x + slope * rails[number] if slope else x for x, slope in slides]
+    return point
 
 
 def cable_vectors(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
@@ -187,14 +183,13 @@ def rail_jacobian_function(machine: Machine) -> ModelFunction:
     )
 
 
-def rail_slopes(machine: Machine, rays: Matrix) -> list[tuple[int, Scalar]]:
-    """Every cable on a rail with lhat_i . e_i, the only entry of its column of dl/ds."""
-    slopes = []
-    for number in machine.rail_cables:
-        base = machine.cables[number].base
-        assert not isinstance(base, FixedBase)
-        slopes.append((number, dot(rays[number], list(base.direction))))
-    return slopes
+def rail_slopes(machine: Machine, rays: Matrix) -> list[tuple[int, int, Scalar]]:
+    """The entries of dl/ds that are not zero: cable i, rail coordinate k, lhat_i . e."""
+    return [
+        (cable, number, dot(ray, list(direction)))
+        for cable, (motion, ray) in enumerate(zip(machine.base_motions, rays, strict=True))
+        for number, direction in motion.travel
+    ]
 
 
 def least_squares_velocity(
@@ -202,8 +197,8 @@ def least_squares_velocity(
 ) -> tuple[Vector, Vector]:
     """Velocity that fits S' xdot = dl/ds sdot - ldot best; returns (velocity [m/s], pivots)."""
     closing = list(length_rates)
-    for rate, (number, slope) in zip(rail_rates, rail_slopes(machine, rays), strict=True):
-        closing[number] = closing[number] - slope * rate
+    for cable, number, slope in rail_slopes(machine, rays):
+        closing[cable] = closing[cable] - slope * rail_rates[number]
     columns = transpose(rays)
     return solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
 
@@ -340,6 +335,6 @@ def functions(machine: Machine) -> list[ModelFunction]:
         forward_kinematics_function(machine),
         locate_function(machine),
     ]
-    if machine.rail_cables:
+    if machine.rails:
         result.append(rail_jacobian_function(machine))
     return result

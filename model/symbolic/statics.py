@@ -4,6 +4,7 @@ from model.machine import Machine
 from model.symbolic import arguments, kinematics
 from model.symbolic.function import ModelFunction, vector_output
 from model.symbolic.linear import multiply, norm
+from model.symbolic.scalar import Vector
 
 
 def wrench_function(machine: Machine) -> ModelFunction:
@@ -27,7 +28,9 @@ def rail_forces_function(machine: Machine) -> ModelFunction:
     lengths = [norm(vector) for vector in vectors]
     rays = kinematics.directions(vectors, lengths)
     tensions = tension.scalars()
-    forces = [-tensions[number] * slope for number, slope in kinematics.rail_slopes(machine, rays)]
+    forces: Vector = [0] * len(machine.rails)
+    for cable, number, slope in kinematics.rail_slopes(machine, rays):
+        forces[number] = forces[number] - tensions[cable] * slope
     return ModelFunction(
         "rail_forces",
         "Force of the cable on its base along the rail, -T_i lhat_i . e_i; the drive must hold it",
@@ -41,6 +44,6 @@ def rail_forces_function(machine: Machine) -> ModelFunction:
 def functions(machine: Machine) -> list[ModelFunction]:
     """Everything this topic generates."""
     result = [wrench_function(machine)]
-    if machine.rail_cables:
+    if machine.rails:
         result.append(rail_forces_function(machine))
     return result

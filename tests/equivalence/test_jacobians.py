@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 
 from codegen.bind import Generated
 from codegen.samples import Sampler
-from model.machine import FixedBase, Machine
+from model.base import FixedBase, RailBase
+from model.machine import Machine
 
 Doubles = NDArray[np.float64]
 POINTS = 5000
@@ -22,7 +23,8 @@ def lengths(machine: Machine, pose: list[Dual], rails: list[Dual]) -> list[Dual]
             if isinstance(cable.base, FixedBase):
                 point = constant(cable.base.position[axis])
             else:
-                slide = rails[machine.rail_cables.index(number)]
+                assert isinstance(cable.base, RailBase)
+                slide = rails[machine.base_motions[number].travel[0][0]]
                 slope = constant(cable.base.direction[axis])
                 point = constant(cable.base.start[axis]) + slope * slide
             side = point - coordinate
@@ -62,7 +64,7 @@ def test_the_rail_jacobian_is_the_derivative_by_dual_numbers(
 ) -> None:
     s = drawn(stock)
     jacobian = np.asarray(double.rail_jacobian(s.pose, s.rails))
-    for rail in range(len(stock.rail_cables)):
+    for rail in range(len(stock.rails)):
         moved = lengths(stock, variables(s.pose, -1), variables(s.rails, rail))
         rates = np.stack([length.rate + 0 * s.pose[:, 0] for length in moved], axis=1)
         assert np.all(np.abs(jacobian[:, :, rail] - rates) <= nearness(s))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from codegen.bind import Generated
 from codegen.controller import RUNTIME_CORE, Controller
-from model.machine import Machine, RailBase, load_machine
+from model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 
@@ -45,7 +45,7 @@ def recorded(machine: Machine, controller: Controller, cycles: int, seed: int) -
     pose = np.array(machine.target.centre) + 0.45 * np.array(machine.target.size) * smooth(
         cycles, machine.dof, seed
     )
-    rails = bases_near(machine, pose, 0.02 * smooth(cycles, len(machine.rail_cables), seed + 1))
+    rails = bases_near(machine, pose, 0.02 * smooth(cycles, len(machine.rails), seed + 1))
     inputs["lengths"] = lengths(machine, pose, rails)
     inputs["rails"][:, : rails.shape[1]] = rails
     inputs["force"] = 12.0 * smooth(cycles, machine.dof, seed + 2)
@@ -58,11 +58,11 @@ def bases_near(
 ) -> NDArray[np.float64]:
     """Rail coordinates (cycles, m) [m] so far from the feet of the perpendiculars."""
     rails = np.zeros_like(lag)
-    for column, index in enumerate(machine.rail_cables):
-        rail = machine.cables[index].base
-        assert isinstance(rail, RailBase)
-        foot = (pose - np.array(rail.start)) @ np.array(rail.direction)
-        rails[:, column] = np.clip(foot + lag[:, column], 0.0, rail.length)
+    for motion in machine.base_motions:
+        for column, direction in motion.travel:
+            foot = (pose - np.array(motion.start)) @ np.array(direction)
+            length = machine.rails[column].length
+            rails[:, column] = np.clip(foot + lag[:, column], 0.0, length)
     return rails
 
 
@@ -71,12 +71,9 @@ def lengths(
 ) -> NDArray[np.float64]:
     """Cable lengths (cycles, n) [m]."""
     columns: list[Any] = []
-    for index, cable in enumerate(machine.cables):
-        base = cable.base
-        if isinstance(base, RailBase):
-            s = rails[:, machine.rail_cables.index(index), None]
-            points = np.array(base.start) + s * np.array(base.direction)
-        else:
-            points = np.array(base.position)
+    for motion in machine.base_motions:
+        points = np.array(motion.start)
+        for k, direction in motion.travel:
+            points = points + rails[:, k, None] * np.array(direction)
         columns.append(np.linalg.norm(points - pose, axis=1))
     return np.stack(columns, axis=1)

@@ -147,7 +147,7 @@ BAD_VALUES = [
     ("machine.name", '"a2345678901234567890123456789012"', NAME, ""),
     ("machine.name", '"while"', "a name that is no keyword of C", ""),
     ("machine.name", "7", "text in quotes", ""),
-    ("machine.kind", '"planar-pint"', "the kinds planar-point; did you mean planar-point?", ""),
+    ("machine.kind", '"planar-pint"', "spatial-rigid; did you mean planar-point?", ""),
     ("machine.kind", '"x"', "the kinds planar-point", ""),
     ("machine.source", '"x */ y"', "one printable line", ""),
     ("machine.source", '"a\\nb"', "one printable line", ""),
@@ -161,16 +161,16 @@ BAD_VALUES = [
     ("disturbance_observer.hand_force", '"guessed"', '"measured" or "unmeasured"', ""),
     # arrays
     ("cable[1].rail", '"x"', "a table", ""),
-    ("frame.size", '"711.8 mm"', "an array of two lengths [width, height]", ""),
-    ("frame.size", '["711.8 mm"]', "an array of two lengths [width, height]", ""),
-    ("target.centre", '["1 mm", "1 mm", "1 mm"]', "an array of two lengths [x, y]", ""),
-    ("wall[1].point", "[]", "an array of two lengths [x, y]", ""),
-    ("wall[1].normal", "[0, 0]", "finite and not both zero, such as [-1, 0]", ""),
-    ("wall[1].normal", "[1, 0, 0]", "two plain numbers", ""),
-    ("wall[1].normal", '["1 mm", "0"]', "two plain numbers", ""),
-    ("wall[1].normal", '["nan", "0"]', "two plain numbers, finite", ""),
-    ("wall[1].normal", "1", "two plain numbers", ""),
-    ("wall[1].normal", "[true, 0]", "two plain numbers", ""),
+    ("frame.size", '"711.8 mm"', "an array of two or three lengths, such as", ""),
+    ("frame.size", '["711.8 mm"]', "an array of two or three lengths, such as", ""),
+    ("target.centre", '["1 mm", "1 mm", "1 mm"]', "an array of two, one entry an axis", ""),
+    ("wall[1].point", "[]", "an array of two or three lengths", ""),
+    ("wall[1].normal", "[0, 0]", "finite and not all zero, such as [-1, 0]", ""),
+    ("wall[1].normal", "[1, 0, 0]", "an array of two, one entry an axis", ""),
+    ("wall[1].normal", '["1 mm", "0"]', "two or three plain numbers", ""),
+    ("wall[1].normal", '["nan", "0"]', "two or three plain numbers, finite", ""),
+    ("wall[1].normal", "1", "two or three plain numbers", ""),
+    ("wall[1].normal", "[true, 0]", "two or three plain numbers", ""),
     # between keys
     ("tension.min", '"10 N"', 'a force below tension.max = "10 N"', ""),
     ("tension.min", '"12 N"', 'a force below tension.max = "10 N"', ""),
@@ -220,7 +220,7 @@ BAD_FILES = {
     ),
     "an unknown key in a rail": (
         changed((RAIL_2, RAIL_2.replace("to =", "too ="))),
-        ("cable[2].rail.too", "an unknown key", "the keys from, to; did you mean to?"),
+        ("cable[2].rail.too", "an unknown key", "the keys from, to, follows; did you mean to?"),
     ),
     "an unknown table": (
         changed(("[drum]", "[drumm]")),
@@ -240,7 +240,7 @@ BAD_FILES = {
     ),
     "a missing end of a rail": (
         changed((RAIL_3, 'rail = { from = ["0 mm", "461.8 mm"] }')),
-        ("cable[3].rail.to", "nothing", "where the rail ends, lengths [x, y]"),
+        ("cable[3].rail.to", "nothing", "where the rail ends, one length an axis"),
     ),
     "a missing table": (
         without("[drum]"),
@@ -280,11 +280,11 @@ BAD_FILES = {
     ),
     "neither base nor rail": (
         changed((RAIL_2, "")),
-        ("cable[2]", "neither base nor rail", "either base or rail"),
+        ("cable[2]", "neither base nor rail nor plane", "one of base, rail and plane"),
     ),
     "both base and rail": (
         changed((RAIL_2, RAIL_2 + '\nbase = ["0 mm", "0 mm"]')),
-        ("cable[2]", "both base and rail", "either base or rail"),
+        ("cable[2]", "both base and rail", "one of base, rail and plane"),
     ),
     "a base outside the frame": (
         changed((RAIL_2, 'base = ["711.9 mm", "0 mm"]')),

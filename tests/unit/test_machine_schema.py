@@ -30,7 +30,7 @@ def test_a_table_refuses_unknown_keys_and_explains_its_own(table: str) -> None:
 
 def test_the_keys_of_the_file_are_the_tables_of_the_file() -> None:
     assert {"machine", "frame", "cable", "wall", "target"} <= SCHEMA["properties"].keys()
-    assert {"from", "to"} == TABLES["RailBase"]["properties"].keys()
+    assert {"from", "to", "follows"} == TABLES["RailBase"]["properties"].keys()
     assert {"machine", "frame", "cable", "tension", "drum", "cable_motor", "control", "target"} == (
         set(SCHEMA["required"])
     )
@@ -44,9 +44,9 @@ def test_choices_are_listed() -> None:
 
 @pytest.mark.parametrize(
     ("table", "alternatives"),
-    [("Cable", ["base", "rail"]), ("DisturbanceObserver", ["corner", "minus_3db"])],
+    [("Cable", ["base", "rail", "plane"]), ("DisturbanceObserver", ["corner", "minus_3db"])],
 )
-def test_exactly_one_of_two_keys_is_asked_for(table: str, alternatives: list[str]) -> None:
+def test_exactly_one_of_several_keys_is_asked_for(table: str, alternatives: list[str]) -> None:
     assert TABLES[table]["oneOf"] == [{"required": [key]} for key in alternatives]
 
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from model.machine import FixedBase, Machine, RailBase, load_machine
+from model.base import FixedBase, RailBase, RailCoordinate
+from model.machine import Machine, load_machine
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
 WIDTH, HEIGHT = 0.7118, 0.4618
@@ -61,7 +62,7 @@ def test_the_bases_slide_along_the_sides_of_the_frame(machine: Machine) -> None:
     rails = [cable.base for cable in machine.cables]
     assert all(isinstance(rail, RailBase) for rail in rails)
     assert [(r.start, r.end) for r in rails if isinstance(r, RailBase)] == sides
-    assert machine.rail_cables == (0, 1, 2, 3)
+    assert [rail.cables for rail in machine.rails] == [(0,), (1,), (2,), (3,)]
     assert [cable.drive for cable in machine.cables] == [f"cable_{i}" for i in range(1, 5)]
 
 
@@ -69,10 +70,8 @@ def test_a_rail_knows_its_length_direction_and_points(machine: Machine) -> None:
     rail = machine.cables[1].rail
     assert rail is not None
     assert (rail.length, rail.direction) == (HEIGHT, (0.0, 1.0))
-    assert rail.point(0.1) == (WIDTH, 0.1)
-    assert rail.nearest((0.2, 0.3)) == (WIDTH, 0.3)
-    assert rail.nearest((0.2, -1.0)) == rail.start
-    assert rail.nearest((0.2, 1.0)) == rail.end
+    assert machine.rails[1] == RailCoordinate(HEIGHT, (1,))
+    assert machine.base_motions[1].point([0.2, 0.1, 0.2, 0.2]) == (WIDTH, 0.1)
 
 
 def test_the_walls_stand_inside_the_screen(machine: Machine) -> None:
@@ -114,9 +113,8 @@ def test_a_fixed_base_stays_where_it_is(tmp_path: Path) -> None:
     rail = 'rail = { from = ["0 mm", "0 mm"], to = ["711.8 mm", "0 mm"] }\ndrive = "cable_1"'
     machine = variant(tmp_path, rail, 'base = ["35.59 cm", "0 mm"]')
     assert machine.cables[0].base == FixedBase((0.3559, 0.0))
-    assert machine.cables[0].base.nearest((0.1, 0.2)) == (0.3559, 0.0)
     assert machine.cables[0].drive == "cable_1"
-    assert machine.rail_cables == (1, 2, 3)
+    assert [rail.cables for rail in machine.rails] == [(1,), (2,), (3,)]
 
 
 def test_the_description_names_what_a_user_looks_for(machine: Machine) -> None:

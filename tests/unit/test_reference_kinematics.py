@@ -77,7 +77,7 @@ def test_structure_matrix_is_that_of_yoon_equation_21() -> None:
 def test_jacobians_are_the_differences_of_the_lengths(machine: Machine) -> None:
     pose, rails = (part.astype(np.longdouble) for part in random_poses(200))
     pose[:, 1] = 0.15 + 0.1 * pose[:, 1]
-    rails = 0.3 * rails[:, : len(machine.rail_cables)]
+    rails = 0.3 * rails[:, : len(machine.rails)]
     step = np.longdouble(1e-6)
 
     def slope(of_pose: Doubles, of_rails: Doubles) -> Doubles:

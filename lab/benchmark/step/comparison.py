@@ -113,7 +113,7 @@ def stepper(name: str, objects: Sequence[Path], machine: Machine) -> Run:
     run_steps = load_library(name, objects).run_steps
     run_steps.argtypes = [ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p]
     run_steps.restype = None
-    outputs = len(machine.cables) + len(machine.rail_cables)
+    outputs = len(machine.cables) + len(machine.rails)
 
     def run(inputs: Reals) -> Reals:
         result = np.empty((len(inputs), outputs))

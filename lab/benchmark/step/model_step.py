@@ -30,7 +30,7 @@ class ModelStep:
         self.machine = machine
         self.cables, self.rails, self.dof = (
             len(machine.cables),
-            len(machine.rail_cables),
+            len(machine.rails),
             machine.dof,
         )
         self.functions = {

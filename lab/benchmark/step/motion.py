@@ -4,7 +4,7 @@ import numpy as np
 
 from lab.benchmark.tension_problems import Reals
 from model.machine import Machine
-from model.reference import kinematics
+from model.reference import control, kinematics
 
 #: The handle goes round the target in these times [s]; they share no period.
 PERIODS = (5.1, 3.7)
@@ -19,15 +19,9 @@ def recorded_inputs(machine: Machine, cycles: int) -> Reals:
     time = np.arange(cycles) / machine.control.rate
     turns = 2 * np.pi * time[:, None] / np.array(PERIODS)
     pose = machine.target.centre + REACH / 2 * np.array(machine.target.size) * np.sin(turns)
-    rails_in_order = (rail for _, rail in kinematics.rails_of(machine))
-    rails = np.stack([nearest(pose, rail.start, rail.direction) for rail in rails_in_order], 1)
+    rails = control.base_targets(machine, pose)
     lengths = kinematics.cable_lengths(machine, pose, rails)
     angle = 2 * np.pi * time / FORCE_PERIOD
     direction = np.stack([np.cos(angle), np.sin(angle)], 1)
     force = FORCE_SHARE * machine.target.force * direction
     return np.ascontiguousarray(np.hstack([lengths, rails, force, -force]), np.float64)
-
-
-def nearest(pose: Reals, start: tuple[float, ...], direction: tuple[float, ...]) -> Reals:
-    """Rail coordinate [m] of the point nearest to every pose."""
-    return np.asarray((pose - np.array(start)) @ np.array(direction))
