@@ -7,11 +7,15 @@ from functools import cache
 
 from pydantic import Field
 
-from model.quantity import Point
+from model.quantity import Point, UnitVector
 from model.table import Table
 from model.words import Identifier
 
 Coordinates = tuple[float, ...]
+HEADING = (
+    "plain numbers, one an axis: where the cable should head, seen from the platform, while the"
+    " base follows it; square to the rail or plane by default"
+)
 
 
 @dataclass(frozen=True)
@@ -29,6 +33,7 @@ class RailBase(Table):
     follows: Identifier | None = Field(
         None, description="the drive of the cable whose carriage also moves this one, if any"
     )
+    heading: UnitVector | None = Field(None, description=HEADING)
 
     @property
     def length(self) -> float:
@@ -47,6 +52,7 @@ class PlaneBase(Table):
     corner: Point = Field(description="where both coordinates are zero, one length an axis")
     along: Point = Field(description="where the first coordinate ends, one length an axis")
     across: Point = Field(description="where the second coordinate ends, one length an axis")
+    heading: UnitVector | None = Field(None, description=HEADING)
 
     @property
     def lengths(self) -> tuple[float, float]:
@@ -66,11 +72,13 @@ Base = FixedBase | RailBase | PlaneBase
 class BaseMotion:
     """How a pulley point follows the rail coordinates: b = start + sum of s_k e over `travel`.
 
-    start [m]; travel: pairs (k, e) of a rail coordinate's number and a unit vector.
+    start [m]; travel: pairs (k, e) of a rail coordinate's number and a unit vector; heading: unit
+    vector from the platform that the cable should take, () for square to the travel.
     """
 
     start: Coordinates
     travel: tuple[tuple[int, Coordinates], ...] = ()
+    heading: Coordinates = ()
 
     def point(self, rails: Sequence[float]) -> Coordinates:
         """The pulley point b [m] at rail coordinates s [m]."""
@@ -124,7 +132,8 @@ def motions(
         assert lead is not None  # load_machine has seen to it
         first = numbers[lead]
         start, directions = _line(base)
-        result.append(BaseMotion(start, tuple(enumerate(directions, first))))
+        heading = () if isinstance(base, FixedBase) else base.heading or ()
+        result.append(BaseMotion(start, tuple(enumerate(directions, first)), heading))
         for number in range(first, first + len(directions)):
             moved[number].append(cable)
     rails = [RailCoordinate(r, tuple(m)) for r, m in zip(ranges, moved, strict=True)]

@@ -147,6 +147,6 @@ STAGES = (
         _cut_offs,
         layout.target_in_the_frame,
     ),
-    (layout.pulley_contacts, _carriages, _rail_drive),
+    (layout.headings, layout.pulley_contacts, _carriages, _rail_drive),
     (layout.cables_span, layout.bases_off_one_line),
 )

@@ -54,6 +54,18 @@ def _vectors(machine: Machine) -> Iterator[tuple[Location, tuple[float, ...]]]:
             vector = getattr(table, key)
             if vector is not None:
                 yield (*location, key), vector
+    for i, key, base in _movable(machine):
+        if base.heading is not None:
+            yield ("cable", i, key, "heading"), base.heading
+
+
+def _movable(machine: Machine) -> Iterator[tuple[int, str, RailBase | PlaneBase]]:
+    """The bases that move, with the number of their cable and the key of their table."""
+    for i, cable in enumerate(machine.cables):
+        if cable.rail is not None:
+            yield i, "rail", cable.rail
+        if cable.plane is not None:
+            yield i, "plane", cable.plane
 
 
 def _base_points(machine: Machine) -> Iterator[tuple[Location, tuple[float, ...]]]:
@@ -115,6 +127,17 @@ def _spans(plane: PlaneBase) -> bool:
     if plane.corner in (plane.along, plane.across):
         return False
     return bool(np.linalg.matrix_rank(np.array(plane.directions), tol=PARALLEL) == 2)
+
+
+def headings(machine: Machine, tables: Tables) -> Found:
+    """A cable cannot head along the rail that its base slides on."""
+    for i, key, base in _movable(machine):
+        directions = [base.direction] if isinstance(base, RailBase) else list(base.directions)
+        if base.heading is not None:
+            rank = np.linalg.matrix_rank([base.heading, directions[0]], tol=PARALLEL)
+            if rank < 2:
+                allowed = f"a direction that is not along the {key}"
+                yield problem_at(tables, ("cable", i, key, "heading"), allowed)
 
 
 def coupled_rails(machine: Machine, tables: Tables) -> Found:

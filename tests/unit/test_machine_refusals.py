@@ -220,7 +220,11 @@ BAD_FILES = {
     ),
     "an unknown key in a rail": (
         changed((RAIL_2, RAIL_2.replace("to =", "too ="))),
-        ("cable[2].rail.too", "an unknown key", "the keys from, to, follows; did you mean to?"),
+        (
+            "cable[2].rail.too",
+            "an unknown key",
+            "follows, heading; did you mean to?",
+        ),
     ),
     "an unknown table": (
         changed(("[drum]", "[drumm]")),

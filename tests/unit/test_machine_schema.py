@@ -30,7 +30,7 @@ def test_a_table_refuses_unknown_keys_and_explains_its_own(table: str) -> None:
 
 def test_the_keys_of_the_file_are_the_tables_of_the_file() -> None:
     assert {"machine", "frame", "cable", "wall", "target"} <= SCHEMA["properties"].keys()
-    assert {"from", "to", "follows"} == TABLES["RailBase"]["properties"].keys()
+    assert {"from", "to", "follows", "heading"} == TABLES["RailBase"]["properties"].keys()
     assert {"machine", "frame", "cable", "tension", "drum", "cable_motor", "control", "target"} == (
         set(SCHEMA["required"])
     )
