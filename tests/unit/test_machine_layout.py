@@ -1,4 +1,4 @@
-"""What a machine file says of places is refused where it cannot be: kinds, anchors, bases, pulleys."""
+"""Refusals of what a machine file says of places: kinds, anchors, bases, rails and pulleys."""
 
 from pathlib import Path
 
