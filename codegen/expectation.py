@@ -382,7 +382,7 @@ def amplification(structure: Wide, tension: Wide, low: float, high: float) -> Wi
     or at a vertex fewer than two are free, and a rounding inwards frees another one: one over the
     sine of the least angle that a pair of cables, with the free one where there is one, makes.
     """
-    off = 1e-9 * max(low, 1e-9)
+    off = 1e-9 * (high if np.isfinite(high) else max(low, 1e-9))
     free = (tension > low + off) & (tension < high - off)
     count = np.sum(free, axis=-1)
     columns = np.swapaxes(structure, -1, -2)

@@ -70,15 +70,15 @@ class WrenchSet:
     def fraction(self, wrench: Sequence[Scalar]) -> tuple[Scalar, Scalar]:
         """Largest s <= 1 such that s W is feasible, and whether there is none with s >= 0.
 
-        A ray that misses the set by no more than rounding does not: with T_min = 0, say, it starts
-        on the border.
+        A ray that misses the set by no more than rounding does not, nor does it cross a facet that
+        it leaves by no more: with T_min = 0, say, it starts on the border, or runs along it.
         """
         largest_s, ends = ca.SX(1), []
         slack = RAY_SLACK * EPSILON * self.high
         for height, centre, half in zip(
             self.heights(wrench), self.heights(self.middle), self.halves, strict=True
         ):
-            crosses_it = ca.fabs(height) > 0
+            crosses_it = ca.fabs(height) > slack
             inverse = 1 / height
             top = (centre + ca.copysign(half, height)) * inverse
             largest_s = ca.fmin(largest_s, where(crosses_it, top, 1))
