@@ -4,11 +4,15 @@ Platforms at and beside a pulley, bases a hair from their targets, cables along 
 so, wrenches of nothing, on a vertex, on an edge, on a kink of the least-norm tensions.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from codegen.samples import Sampler
 from model.machine import Machine
+from model.symbolic import kinematics
+from model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
 
@@ -23,12 +27,8 @@ class HardSampler(Sampler):
         super().__init__(machine, seed, count)
         self.shift_rails_a_little(self.every(POSE_CYCLE, 1))
         self.move_to_a_pulley(self.every(POSE_CYCLE, 0))
-        self.vectors = self.base_points() - self.pose[:, None, :]
-        self.lengths = np.sqrt((self.vectors**2).sum(axis=2))
-        safe = np.where(self.lengths > 0, self.lengths, 1.0)
-        self.structure = np.swapaxes(self.vectors / safe[:, :, None], 1, 2)
-        if machine.dof == 2:
-            self.bend_structure()
+        self.look()
+        self.bend_structure()
 
     def every(self, cycle: int, place: int) -> slice:
         """The rows of one kind of case."""
@@ -47,26 +47,44 @@ class HardSampler(Sampler):
         self.rails[rows] = np.clip(rails + noise, 0.0, ends) if ends else rails
 
     def move_to_a_pulley(self, rows: slice) -> None:
-        """The platform at a pulley, within the frame."""
-        points = self.base_points()[rows]
+        """The platform, or one of its anchors, at a pulley, within the frame."""
+        anchors = np.array(self.machine.anchors)
+        arms = self.modelled_points(kinematics.base_points_function(self.machine), [self.rails])
+        points = (arms - anchors)[rows]
+        space = self.machine.space
         chosen = points[
             np.arange(len(points)), self.random.integers(0, points.shape[1], len(points))
         ]
         away = self.random.standard_normal(chosen.shape) * self.small(len(points))
-        self.pose[rows] = np.clip(chosen + away, 0.0, self.machine.frame.size)
+        self.pose[rows, :space] = np.clip(chosen + away, 0.0, self.machine.frame.size)
+        self.pose[rows, space:] = 0.0
+
+    def modelled_points(self, function: ModelFunction, arguments: Sequence[Array]) -> Array:
+        """A function of the model whose result is a point for every cable (count, n, space)."""
+        shape = (self.count, len(self.machine.cables), self.machine.space)
+        return self.modelled(function, arguments).reshape(shape)
 
     def bend_structure(self) -> None:
-        """Structures that no pose of this machine has: any angles, one line or nearly, axes."""
-        count = len(self.machine.cables)
+        """Structures that no pose of this machine has: any directions, one line or nearly, axes."""
+        shape = (self.count, len(self.machine.cables), self.machine.dof)
         anywhere, line, axes = (self.every(STRUCTURE_CYCLE, k) for k in range(3))
-        angles = self.random.uniform(0, 2 * np.pi, (self.count, count))
-        common = self.random.uniform(0, 2 * np.pi, (self.count, 1))
-        turned = np.pi * self.random.integers(0, 2, (self.count, count))
-        spread = self.random.standard_normal((self.count, count)) * self.small(self.count)
-        self.structure[anywhere] = directions(angles[anywhere])
-        self.structure[line] = directions((common + turned + spread)[line])
-        quarters = self.random.integers(0, 4, (self.count, count)) * np.pi / 2
-        self.structure[axes] = np.round(directions(quarters[axes]))
+        common = self.random.standard_normal((self.count, 1, shape[2]))
+        turned = self.random.choice([-1.0, 1.0], (*shape[:2], 1))
+        spread = self.random.standard_normal(shape) * self.small(self.count)[:, :, None]
+        along = turned * common + spread * np.sqrt(np.sum(common**2, axis=2, keepdims=True))
+        signs = self.random.choice([-1.0, 1.0], shape)
+        axis = self.random.integers(0, shape[2], shape[:2])[:, :, None] == np.arange(shape[2])
+        self.structure[anywhere] = self.columns(self.random.standard_normal(shape))[anywhere]
+        self.structure[line] = self.columns(along)[line]
+        self.structure[axes] = self.columns(np.where(axis, signs, 0.0))[axes]
+
+    def columns(self, directions: Array) -> Array:
+        """Structures (count, d, n) whose columns point in these directions (count, n, d).
+
+        Moments count by the lever.
+        """
+        length = np.sqrt(np.sum(directions**2, axis=2, keepdims=True))
+        return np.swapaxes(directions / length * self.levers(), 1, 2)
 
     def wrenches(self) -> Array:
         """Those of operation, and: nothing, one axis, vertices, edges, kinks of the tensions."""
@@ -79,6 +97,7 @@ class HardSampler(Sampler):
             self.random.uniform(low, high, self.count)
         )
         multiplier = self.random.standard_normal((self.count, self.machine.dof)) * high
+        multiplier = multiplier / self.levers()
         kink = np.clip(np.einsum("kdn,kd->kn", self.structure, multiplier), low, high)
         cases = [np.einsum("kdn,kn->kd", self.structure, t) for t in (vertex, edge, kink)]
         axis = np.where(np.arange(self.machine.dof) == 0, wrench, 0.0)
@@ -86,8 +105,3 @@ class HardSampler(Sampler):
             rows = self.every(WRENCH_CYCLE, place)
             wrench[rows] = case[rows]
         return wrench
-
-
-def directions(angles: Array) -> Array:
-    """Structures (count, 2, n) of cables at some angles."""
-    return np.stack([np.cos(angles), np.sin(angles)], axis=1)

@@ -9,7 +9,11 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from codegen.evaluate import DOUBLE, evaluate
+from codegen.lower import lower
 from model.machine import Machine
+from model.symbolic import control, kinematics
+from model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
 
@@ -17,21 +21,50 @@ Array = NDArray[np.float64]
 BORDER_SHARE, MIDDLE_SHARE = 0.1, 0.05
 #: Fraction of the samples whose bases are at their targets, as in operation.
 TRACKING_SHARE = 0.5
+#: How far a guess is from the pose: in position, as a part of the frame, and in rotation [rad].
+GUESS_SHARE, GUESS_ROTATION = 0.05, 0.1
 
 
 class Sampler:
-    """Draws consistent arguments by name."""
+    """Draws consistent arguments by name.
+
+    What follows from a pose comes from the model itself, run with the operations of the C alone, so
+    that samples, and what is found with them, are the same on every machine.
+    """
 
     def __init__(self, machine: Machine, seed: int, count: int) -> None:
         self.machine = machine
         self.random = np.random.default_rng(seed)
         self.count = count
-        self.pose = self.box([0.0] * machine.dof, machine.frame.size)
+        self.pose = self.draw_pose()
         self.rails = self.draw_rails()
-        self.vectors = self.base_points() - self.pose[:, None, :]
-        self.lengths = np.sqrt((self.vectors**2).sum(axis=2))
-        safe = np.where(self.lengths > 0, self.lengths, 1.0)
-        self.structure = np.swapaxes(self.vectors / safe[:, :, None], 1, 2)
+        self.look()
+
+    def look(self) -> None:
+        """Lengths and structure at the poses; zero where the platform is at a pulley."""
+        at = [self.pose, self.rails]
+        shape = (self.count, self.machine.dof, len(self.machine.cables))
+        self.lengths = self.modelled(kinematics.cable_lengths_function(self.machine), at)
+        structure = self.modelled(kinematics.structure_matrix_function(self.machine), at)
+        self.structure = structure.reshape(shape)
+
+    def modelled(self, function: ModelFunction, arguments: Sequence[Array]) -> Array:
+        """The first output of a function of the model (count, size), 0 where it has none."""
+        result = evaluate(lower(function), list(arguments), DOUBLE).outputs[0]
+        columns = [np.broadcast_to(entry, (self.count,)) for entry in result]
+        values = np.stack(columns, axis=1) if columns else np.zeros((self.count, 0))
+        return np.where(np.isfinite(values), values, 0.0)
+
+    def draw_pose(self) -> Array:
+        """Poses in the frame, turned as far as the machine file allows."""
+        turns = self.machine.dof - self.machine.space
+        position = self.box([0.0] * self.machine.space, self.machine.frame.size)
+        if not self.machine.is_rigid:
+            return position
+        rotation = self.symmetric(turns, self.machine.rotation)
+        angle = np.sqrt(np.sum(rotation**2, axis=1, keepdims=True))
+        excess = np.maximum(angle / self.machine.rotation, 1.0)
+        return np.concatenate([position, rotation / excess], axis=1)
 
     def box(self, low: Sequence[float], high: Sequence[float]) -> Array:
         """Points of a box, with the shares on its borders and in its middle."""
@@ -47,25 +80,13 @@ class Sampler:
 
     def draw_rails(self) -> Array:
         """Rail coordinates: half of them where the bases would follow the platform."""
-        rails = self.machine.rails
-        anywhere = self.box([0.0] * len(rails), [rail.length for rail in rails])
-        feet = np.zeros_like(anywhere)
-        for motion in self.machine.base_motions:
-            arm = self.pose - np.asarray(motion.start)
-            for k, direction in motion.travel:
-                feet[:, k] += arm @ np.asarray(direction) / len(rails[k].cables)
-        tracking = np.clip(feet, 0.0, [rail.length for rail in rails])
+        lengths = [rail.length for rail in self.machine.rails]
+        anywhere = self.box([0.0] * len(lengths), lengths)
+        if not lengths:
+            return anywhere
+        tracking = self.modelled(control.base_targets_function(self.machine), [self.pose])
         follows = self.random.random((self.count, 1)) < TRACKING_SHARE
         return np.where(follows, tracking, anywhere)
-
-    def base_points(self) -> Array:
-        """Pulley points (count, n, d)."""
-        points = np.empty((self.count, len(self.machine.cables), self.machine.space))
-        for i, motion in enumerate(self.machine.base_motions):
-            points[:, i] = motion.start
-            for k, direction in motion.travel:
-                points[:, i] += self.rails[:, k, None] * np.asarray(direction)
-        return points
 
     def symmetric(self, size: int, bound: float) -> Array:
         """Entries within +-bound."""
@@ -81,8 +102,21 @@ class Sampler:
         """Wrenches of admissible tensions, scaled to lie inside, on or beyond the border."""
         exerted = np.einsum("kdn,kn->kd", self.structure, self.tensions())
         scale = self.random.choice([0.0, 0.5, 1.0, 1.0, 1.5], (self.count, 1))
-        anything = self.symmetric(self.machine.dof, 2 * self.machine.tension.max)
+        anything = self.symmetric(self.machine.dof, 2 * self.machine.tension.max) * self.levers()
         return np.where(self.random.random((self.count, 1)) < 0.7, scale * exerted, anything)
+
+    def levers(self) -> Array:
+        """What turns forces into wrenches of the same effect: 1 a force, the lever [m] a moment."""
+        moments = np.arange(self.machine.dof) >= self.machine.space
+        return np.where(moments, self.machine.lever, 1.0)
+
+    def guesses(self) -> Array:
+        """Poses beside the true ones: what the last cycle found, and much farther off."""
+        reach = GUESS_SHARE * max(self.machine.frame.size)
+        moments = np.arange(self.machine.dof) >= self.machine.space
+        return self.pose + self.symmetric(self.machine.dof, 1.0) * np.where(
+            moments, GUESS_ROTATION, reach
+        )
 
     def memory(self, columns: Sequence[float], count: int) -> Array:
         """Remembered quantities, each column within its own bound."""
@@ -124,7 +158,8 @@ _BY_NAME: dict[str, Callable[[Sampler, int], Array]] = {
     "tension": lambda s, _: s.tensions(),
     "load": lambda s, _: s.tensions(),
     "wrench": lambda s, _: s.wrenches(),
-    "hand_force": lambda s, size: s.symmetric(size, s.machine.tension.max),
+    "hand_force": lambda s, size: s.symmetric(size, s.machine.tension.max) * s.levers(),
+    "guess": lambda s, _: s.guesses(),
     "velocity": lambda s, size: s.symmetric(size, 1.0),
     "length_rates": lambda s, size: s.symmetric(size, 1.0),
     "rail_rates": lambda s, size: s.symmetric(size, 1.0),
