@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from codegen.bind import Generated
 from codegen.expectation import Problem, distribution
-from codegen.hard_cases import HardSampler, directions
+from codegen.hard_cases import HardSampler
 from codegen.samples import Sampler
 from model.machine import Machine
 from model.reference.optimality import optimality_gap
@@ -43,7 +43,7 @@ def any_directions(machine: Machine, seed: int, count: int) -> Doubles:
     angle[:, [1]] = np.where(
         near, beside + np.pi * random.integers(0, 2, (count, 1)), angle[:, [1]]
     )
-    return directions(angle)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
 
 def spanning(structure: Doubles) -> Doubles:
