@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
+from model.workspace.gaps import adjacent_gaps
 from model.workspace.least_norm import least_norm_tension
 from model.workspace.rows import Array
 
@@ -86,11 +87,8 @@ def isotropic_force_eq17(structure: npt.ArrayLike, lower: float, upper: float) -
     """
     s = np.asarray(structure, np.float64)
     left = upper - zero_wrench_tension(s, lower, upper)
-    bearing = np.arctan2(s[..., 1, :], s[..., 0, :])
-    order = np.argsort(bearing, axis=-1)
-    bearing = np.take_along_axis(bearing, order, axis=-1)
+    order, gap = adjacent_gaps(s)
     left = np.take_along_axis(left, order, axis=-1)
-    gap = np.mod(np.roll(bearing, -1, axis=-1) - bearing, 2 * np.pi)
     shorter = np.minimum(left, np.roll(left, -1, axis=-1))
     height = shorter * np.maximum(np.sin(gap), 0)
     return np.asarray(np.min(np.where(gap > np.pi / 2, height, shorter), axis=-1))
