@@ -3,7 +3,7 @@
 from model.machine import Machine
 from model.symbolic import arguments, kinematics
 from model.symbolic.function import ModelFunction, vector_output
-from model.symbolic.linear import multiply, norm
+from model.symbolic.linear import multiply
 from model.symbolic.scalar import Vector
 
 
@@ -16,7 +16,7 @@ def wrench_function(machine: Machine) -> ModelFunction:
         "Wrench of the cables on the platform W = S T",
         "Yoon eq. 7",
         (structure, tension),
-        (vector_output("wrench", "N", wrench),),
+        (vector_output("wrench", arguments.wrench_unit(machine), wrench),),
     )
 
 
@@ -24,12 +24,10 @@ def rail_forces_function(machine: Machine) -> ModelFunction:
     """Force that every cable exerts on its base along the rail."""
     pose, rails = arguments.pose(machine), arguments.rails(machine)
     tension = arguments.tension(machine)
-    vectors = kinematics.cable_vectors(machine, pose.scalars(), rails.scalars())
-    lengths = [norm(vector) for vector in vectors]
-    rays = kinematics.directions(vectors, lengths)
+    at = kinematics.cables(machine, pose.scalars(), rails.scalars())
     tensions = tension.scalars()
     forces: Vector = [0] * len(machine.rails)
-    for cable, number, slope in kinematics.rail_slopes(machine, rays):
+    for cable, number, slope in kinematics.rail_slopes(machine, at.rays):
         forces[number] = forces[number] - tensions[cable] * slope
     return ModelFunction(
         "rail_forces",
@@ -37,7 +35,7 @@ def rail_forces_function(machine: Machine) -> ModelFunction:
         "Yoon eq. 8, the joint-space force of virtual work",
         (pose, rails, tension),
         (vector_output("force", "N", forces),),
-        (kinematics.touches_a_pulley(lengths),),
+        (kinematics.touches_a_pulley(at.clearances),),
     )
 
 
