@@ -43,11 +43,9 @@ LONGEST_STEP = 0.25
 #: ... and turns it by at most this [rad]: beyond, directions of cables say little of the next pose.
 WIDEST_TURN = 0.5
 #: Steps enough for every start within these of the pose: see MOST_STEPS's test.
-MOST_STEPS = 20
+MOST_STEPS = 12
 #: The fit is found when a step changes the lengths by less than this many roundings of the frame.
 FITTED_ROUNDINGS = 16.0
-#: Share of the squared misfit, over the squared diagonal, that damps a step.
-DAMPING = 1.0
 
 
 def needs_guess(machine: Machine) -> bool:
@@ -192,12 +190,11 @@ class Search:
         return estimate, at, subtract(self.lengths.scalars(), at.lengths)
 
     def step(self) -> ModelFunction:
-        """One step, shortened where it is long, and damped while the misfit is large."""
+        """One step, shortened where it is long."""
         estimate, at, misfit = self.here()
         rows = kinematics.comparable(self.machine, at.structure)
         slope = multiply(rows, [-x for x in misfit])
-        damping = DAMPING / diagonal(self.machine) ** 2 * dot(misfit, misfit)
-        step, pivots = solve_positive(damped(gram(rows), damping), slope)
+        step, pivots = solve_positive(gram(rows), slope)
         better = self.moved(estimate.scalars(), step)
         change = FITTED_ROUNDINGS * EPSILON * diagonal(self.machine)
         done = dot(slope, step) <= change * change
@@ -238,14 +235,6 @@ class Search:
         pose = vector_output("pose", estimate.unit, estimate.scalars())
         label = Label("misfit", misfit, "what the lengths disagree by: slack, an encoder fault")
         return estimate, at, (pose, scalar_output("residual", "m", norm(misfit))), label
-
-
-def damped(matrix: Matrix, damping: Scalar) -> Matrix:
-    """matrix + damping I."""
-    return [
-        [entry + damping if i == j else entry for j, entry in enumerate(row)]
-        for i, row in enumerate(matrix)
-    ]
 
 
 def forward_kinematics_search(machine: Machine) -> Repeat:
