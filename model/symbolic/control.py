@@ -4,9 +4,9 @@ import math
 
 import casadi as ca
 
-from model.base import BaseMotion
 from model.machine import Machine, Wall
 from model.symbolic import arguments, kinematics
+from model.symbolic.base_targets import base_targets_function
 from model.symbolic.function import (
     Label,
     ModelFunction,
@@ -16,7 +16,7 @@ from model.symbolic.function import (
     vector_output,
 )
 from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract
-from model.symbolic.scalar import Scalar, Vector, clamp, total, where
+from model.symbolic.scalar import Scalar, Vector, clamp, where
 
 #: Largest result that control laws answer, in its own unit: far beyond any machine.
 LARGEST = 1e9
@@ -62,44 +62,6 @@ def wall_push(wall: Wall, position: Vector, velocity: Vector) -> Scalar:
     leaving = dot(velocity, list(wall.normal))
     push = ca.fmax(0, wall.stiffness * penetration - wall.damping * leaving)
     return where(penetration > 0, push, 0)
-
-
-def base_targets_function(machine: Machine) -> ModelFunction:
-    """Where the bases go so that each cable is perpendicular to its rail."""
-    pose = arguments.pose(machine)
-    anchors = kinematics.anchors(machine, pose.scalars())
-    feet: list[Vector] = [[] for _ in machine.rails]
-    for motion, anchor in zip(machine.base_motions, anchors, strict=True):
-        coordinates = foot(motion, subtract(anchor, list(motion.start)))
-        for (number, _), coordinate in zip(motion.travel, coordinates, strict=True):
-            feet[number].append(coordinate)
-    targets = [
-        clamp(total(found) / len(found), 0, rail.length)
-        for found, rail in zip(feet, machine.rails, strict=True)
-    ]
-    target = "anchor" if machine.is_rigid else "pose"
-    return ModelFunction(
-        "base_targets",
-        f"Rail coordinates of the orthogonal configuration: the foot of the {target} on each rail",
-        "Yoon section III-B",
-        (pose,),
-        (vector_output("target", "m", targets),),
-    )
-
-
-def foot(motion: BaseMotion, arm: Vector) -> Vector:
-    """Coordinates of the point nearest `arm` on a base's rail or plane [m].
-
-    In a plane machine every point of a plane base is nearest to something: it rests on its first
-    side, as on a rail.
-    """
-    along = [list(direction) for _, direction in motion.travel]
-    shadows = [dot(arm, direction) for direction in along]
-    if len(along) < 2:
-        return shadows
-    if len(arm) == 2:
-        return [shadows[0], 0]
-    return solve_positive(gram(along), shadows)[0]
 
 
 def base_pid_function(machine: Machine) -> ModelFunction:
