@@ -15,7 +15,7 @@ from model.symbolic.function import (
     judged_by_results,
     vector_output,
 )
-from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract
+from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract, transpose
 from model.symbolic.scalar import Scalar, Vector, clamp, where
 
 #: Largest result that control laws answer, in its own unit: far beyond any machine.
@@ -112,7 +112,7 @@ def load_tension_function(machine: Machine) -> ModelFunction:
     rows, carried = structure.rows(), tension.scalars()
     surplus = [-h - w for h, w in zip(hand.scalars(), multiply(rows, carried), strict=True)]
     matrix = kinematics.comparable(machine, rows)
-    right = [entry for [entry] in kinematics.comparable(machine, [[x] for x in surplus])]
+    [right] = transpose(kinematics.comparable(machine, [[x] for x in surplus]))
     share, pivots = solve_positive(gram(matrix), right)
     load = [value + dot([row[i] for row in matrix], share) for i, value in enumerate(carried)]
     return ModelFunction(
