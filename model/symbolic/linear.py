@@ -23,6 +23,19 @@ def cross(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
     return a[0] * b[1] - a[1] * b[0]
 
 
+def cross_matrix(a: Sequence[Scalar]) -> Matrix:
+    """[a]x, which makes the vector product a x b of a spatial vector b."""
+    x, y, z = a
+    return [[0, -z, y], [z, 0, -x], [-y, x, 0]]
+
+
+def moment(arm: Sequence[Scalar], force: Sequence[Scalar]) -> Vector:
+    """Moment arm x force: one entry in the plane, three in space."""
+    if len(arm) == 2:
+        return [cross(arm, force)]
+    return multiply(cross_matrix(arm), force)
+
+
 def subtract(a: Sequence[Scalar], b: Sequence[Scalar]) -> Vector:
     """a - b."""
     return [x - y for x, y in zip(a, b, strict=True)]
