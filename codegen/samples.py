@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from codegen.evaluate import DOUBLE, evaluate
 from codegen.lower import lower
 from model.machine import Machine
-from model.symbolic import control, kinematics
+from model.symbolic import base_targets, kinematic_functions
 from model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
@@ -44,8 +44,8 @@ class Sampler:
         """Lengths and structure at the poses; zero where the platform is at a pulley."""
         at = [self.pose, self.rails]
         shape = (self.count, self.machine.dof, len(self.machine.cables))
-        self.lengths = self.modelled(kinematics.cable_lengths_function(self.machine), at)
-        structure = self.modelled(kinematics.structure_matrix_function(self.machine), at)
+        self.lengths = self.modelled(kinematic_functions.cable_lengths_function(self.machine), at)
+        structure = self.modelled(kinematic_functions.structure_matrix_function(self.machine), at)
         self.structure = structure.reshape(shape)
 
     def modelled(self, function: ModelFunction, arguments: Sequence[Array]) -> Array:
@@ -84,7 +84,7 @@ class Sampler:
         anywhere = self.box([0.0] * len(lengths), lengths)
         if not lengths:
             return anywhere
-        tracking = self.modelled(control.base_targets_function(self.machine), [self.pose])
+        tracking = self.modelled(base_targets.base_targets_function(self.machine), [self.pose])
         follows = self.random.random((self.count, 1)) < TRACKING_SHARE
         return np.where(follows, tracking, anywhere)
 

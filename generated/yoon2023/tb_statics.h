@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine ef1dc0b478746640, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 43e404a6c9994b56, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -23,9 +23,9 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *  Domain: wrench with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of share: double at most 2.2e-10 N (worst found 5.4e-11 at pose (0.2015, 0.1254),
- *    rails (0.02596, 0.4383, 0.7118, 0), wrench (15.64, -6.357)); float at most 2.1e-02 N
- *    (worst found 5.2e-03 at pose (0.008391, 0.004153), rails (0.01879, 0.4219, 0.7118,
+ *  Error of share: double at most 4.4e-11 N (worst found 1.1e-11 at pose (0.5327, 0.1146),
+ *    rails (0.7011, 0.02011, 0.002247, 0.4147), wrench (-12.49, -8.114)); float at most 2.1e-02
+ *    N (worst found 5.2e-03 at pose (0.008391, 0.004153), rails (0.01879, 0.4219, 0.7118,
  *    0.03505), wrench (12.43, -6.245)).
  *  Cost, all branches: 36 add, 53 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
 tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4], const real_t

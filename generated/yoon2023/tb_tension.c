@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine ef1dc0b478746640, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 43e404a6c9994b56, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -750,71 +750,71 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
         served_0 = wrench[0];
         served_1 = wrench[1];
     } else {
-        const real_t t41 = structure[0] * wrench[1] - structure[4] * wrench[0];
-        const bool t42 = TB_C(0.0) < TB_ABS(t41);
-        const real_t t43 = structure[0] * t1 - structure[4] * t4;
-        const real_t t44 = TB_C(160.0) * TB_EPSILON;
+        const real_t t41 = TB_C(160.0) * TB_EPSILON;
+        const real_t t42 = structure[0] * wrench[1] - structure[4] * wrench[0];
+        const bool t43 = t41 < TB_ABS(t42);
+        const real_t t44 = structure[0] * t1 - structure[4] * t4;
         real_t t45, t46, t47;
-        if (t42) {
-            const real_t t48 = TB_C(1.0) / t41;
-            const real_t t49 = (t43 - facet_0 - t44) * t48;
-            const real_t t50 = t48 * (t44 + (facet_0 + t43));
+        if (t43) {
+            const real_t t48 = TB_C(1.0) / t42;
+            const real_t t49 = (t44 - facet_0 - t41) * t48;
+            const real_t t50 = t48 * (t41 + (facet_0 + t44));
             t45 = tb_max(t49, t50);
             t46 = tb_min(t49, t50);
-            t47 = t48 * (t43 + TB_COPYSIGN(facet_0, t41));
+            t47 = t48 * (t44 + TB_COPYSIGN(facet_0, t42));
         } else {
-            const real_t t51 = facet_0 + t44 < TB_ABS(t43) ? TB_C(1e+30) : TB_C(0.0);
+            const real_t t51 = facet_0 + t41 < TB_ABS(t44) ? TB_C(1e+30) : TB_C(0.0);
             t45 = TB_C(1.0);
             t46 = t51;
             t47 = TB_C(1.0);
         }
         const real_t t52 = wrench[1] * structure[1] - structure[5] * wrench[0];
-        const bool t53 = TB_C(0.0) < TB_ABS(t52);
+        const bool t53 = t41 < TB_ABS(t52);
         const real_t t54 = t1 * structure[1] - structure[5] * t4;
         real_t t55, t56, t57;
         if (t53) {
             const real_t t58 = TB_C(1.0) / t52;
-            const real_t t59 = (t54 - facet_1 - t44) * t58;
-            const real_t t60 = t58 * (t44 + (facet_1 + t54));
+            const real_t t59 = (t54 - facet_1 - t41) * t58;
+            const real_t t60 = t58 * (t41 + (facet_1 + t54));
             t55 = tb_max(t59, t60);
             t56 = tb_min(t59, t60);
             t57 = t58 * (t54 + TB_COPYSIGN(facet_1, t52));
         } else {
-            const real_t t61 = facet_1 + t44 < TB_ABS(t54) ? TB_C(1e+30) : TB_C(0.0);
+            const real_t t61 = facet_1 + t41 < TB_ABS(t54) ? TB_C(1e+30) : TB_C(0.0);
             t55 = TB_C(1.0);
             t56 = t61;
             t57 = TB_C(1.0);
         }
         const real_t t62 = wrench[1] * structure[2] - structure[6] * wrench[0];
-        const bool t63 = TB_C(0.0) < TB_ABS(t62);
+        const bool t63 = t41 < TB_ABS(t62);
         const real_t t64 = t1 * structure[2] - structure[6] * t4;
         real_t t65, t66, t67;
         if (t63) {
             const real_t t68 = TB_C(1.0) / t62;
-            const real_t t69 = (t64 - facet_2 - t44) * t68;
-            const real_t t70 = t68 * (t44 + (facet_2 + t64));
+            const real_t t69 = (t64 - facet_2 - t41) * t68;
+            const real_t t70 = t68 * (t41 + (facet_2 + t64));
             t65 = tb_max(t69, t70);
             t66 = tb_min(t69, t70);
             t67 = t68 * (t64 + TB_COPYSIGN(facet_2, t62));
         } else {
-            const real_t t71 = facet_2 + t44 < TB_ABS(t64) ? TB_C(1e+30) : TB_C(0.0);
+            const real_t t71 = facet_2 + t41 < TB_ABS(t64) ? TB_C(1e+30) : TB_C(0.0);
             t65 = TB_C(1.0);
             t66 = t71;
             t67 = TB_C(1.0);
         }
         const real_t t72 = wrench[1] * structure[3] - structure[7] * wrench[0];
-        const bool t73 = TB_C(0.0) < TB_ABS(t72);
+        const bool t73 = t41 < TB_ABS(t72);
         const real_t t74 = t1 * structure[3] - structure[7] * t4;
         real_t t75, t76, t77;
         if (t73) {
             const real_t t78 = TB_C(1.0) / t72;
-            const real_t t79 = (t74 - facet_3 - t44) * t78;
-            const real_t t80 = t78 * (t44 + (facet_3 + t74));
+            const real_t t79 = (t74 - facet_3 - t41) * t78;
+            const real_t t80 = t78 * (t41 + (facet_3 + t74));
             t75 = tb_max(t79, t80);
             t76 = tb_min(t79, t80);
             t77 = t78 * (t74 + TB_COPYSIGN(facet_3, t72));
         } else {
-            const real_t t81 = facet_3 + t44 < TB_ABS(t74) ? TB_C(1e+30) : TB_C(0.0);
+            const real_t t81 = facet_3 + t41 < TB_ABS(t74) ? TB_C(1e+30) : TB_C(0.0);
             t75 = TB_C(1.0);
             t76 = t81;
             t77 = TB_C(1.0);

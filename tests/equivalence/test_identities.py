@@ -17,7 +17,7 @@ from codegen.evaluate import Arithmetic, evaluate
 from codegen.generate import Model
 from codegen.ir import Routine
 from model.machine import Machine
-from model.symbolic import kinematics, scalar
+from model.symbolic import forward_kinematics, scalar
 
 x, y = sp.symbols("x y", positive=True)
 s1, s2, s3, s4 = RAILS = sp.symbols("s1:5", positive=True)
@@ -119,14 +119,14 @@ def test_the_closed_form_finds_the_pose_of_exact_lengths(
     stock: Machine, base_points: sp.Matrix
 ) -> None:
     points = base_points.tolist()
-    pose, _ = kinematics.multilateration(points, list(cable_lengths(base_points)))
+    pose, _ = forward_kinematics.multilateration(points, list(cable_lengths(base_points)))
     assert is_zero(sp.Matrix(pose) - sp.Matrix(POSE))
 
 
 @pytest.mark.usefixtures("symbolic_algebra")
 def test_a_gauss_newton_step_stays_at_the_pose_of_exact_lengths(base_points: sp.Matrix) -> None:
     lengths = list(cable_lengths(base_points))
-    pose, distances = kinematics.gauss_newton_step(base_points.tolist(), lengths, POSE)
+    pose, distances = forward_kinematics.gauss_newton_step(base_points.tolist(), lengths, POSE)
     assert pose == POSE and distances == lengths
 
 
