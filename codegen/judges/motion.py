@@ -198,8 +198,9 @@ def closed(p: Problem) -> Fixed:
     pivot = np.minimum(pivot, squared_least(p, rows))
     second_order = closed_form**2 / np.minimum(nearest, 1) / pivot
     slack = np.minimum(closed_form, second_order + ROUNDINGS * p.epsilon * reach / pivot)
-    never = ~always(p.count)
-    return Fixed(found, np.asarray(slack), nearest, rows, union(collinear, at_pulley), never)
+    nowhere = np.any(np.isnan(found.pose), axis=-1)
+    lost = union(collinear, at_pulley, (nowhere, nowhere))
+    return Fixed(found, np.asarray(slack), nearest, rows, lost, ~always(p.count))
 
 
 def searched(p: Problem) -> Fixed:
