@@ -77,8 +77,8 @@ def misses(generated: Generated, from_near: bool) -> tuple[Any, NDArray[np.bool_
     rails = rail_coordinates(machine, random).astype(real)
     guess = near(machine, pose, random) if from_near else at_the_start(machine)
     found = located(generated, guess, np.asarray(generated.cable_lengths(pose, rails)), rails)
-    slack = ROUNDINGS * epsilon * diagonal(machine) / min(1.0, machine.lever)
-    slack = slack / least_singular_value(generated, pose, rails)
+    rounding = ROUNDINGS * epsilon * diagonal(machine) / min(1.0, machine.lever)
+    slack = rounding / least_singular_value(generated, pose, rails)
     return found, np.max(np.abs(found.pose - pose), axis=1) > slack
 
 

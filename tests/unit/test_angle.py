@@ -30,7 +30,7 @@ def computed(
     function = ModelFunction("f", "", "", inputs, (vector_output("values", "1", values),))
     typed = [np.asarray(arithmetic.number(p)) for p in points]
     (entries,) = evaluate(simplify(lower(function)), typed, arithmetic).outputs
-    return np.stack(entries, axis=-1).astype(np.longdouble)
+    return np.asarray(np.stack(entries, axis=-1), np.longdouble)
 
 
 def argument(name: str, size: int) -> Input:
@@ -55,7 +55,7 @@ def rodrigues(vectors: Wide) -> Wide:
     turn = np.zeros((len(vectors), 3, 3), np.longdouble)
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         turn[:, j, i], turn[:, i, j] = vectors[:, k], -vectors[:, k]
-    return np.eye(3) + a[:, None, None] * turn + b[:, None, None] * (turn @ turn)
+    return np.asarray(np.eye(3) + a[:, None, None] * turn + b[:, None, None] * (turn @ turn))
 
 
 @PRECISIONS
