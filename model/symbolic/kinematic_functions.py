@@ -130,7 +130,8 @@ def structure_matrix_function(machine: Machine) -> ModelFunction:
 def length_jacobian_function(machine: Machine) -> ModelFunction:
     """Derivative of the lengths by the pose, for a rigid platform by its twist."""
     at = Place(machine)
-    rows = kinematics.length_jacobian(machine, at.pose.scalars(), at.rails.scalars())
+    centre = at.pose.scalars()[: machine.space]
+    rows = kinematics.length_jacobian(machine, centre, at.cables.arms, at.rails.scalars())
     turning = ", x by the twist (dc, dw) in the fixed frame" if machine.is_rigid else ""
     return ModelFunction(
         "length_jacobian",
@@ -146,7 +147,8 @@ def length_jacobian_function(machine: Machine) -> ModelFunction:
 def rail_jacobian_function(machine: Machine) -> ModelFunction:
     """Derivative of the lengths by the rail coordinates."""
     at = Place(machine)
-    rows = kinematics.rail_jacobian(machine, at.pose.scalars(), at.rails.symbols)
+    held = kinematics.anchors(machine, at.pose.scalars())
+    rows = kinematics.rail_jacobian(machine, held, at.rails.symbols)
     return ModelFunction(
         "rail_jacobian",
         "Rail Jacobian dl/ds",

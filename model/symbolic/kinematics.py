@@ -136,18 +136,18 @@ def structure_matrix(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
     return cables(machine, pose, rails).structure
 
 
-def length_jacobian(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
+def length_jacobian(
+    machine: Machine, centre: Vector, platform_arms: Matrix, rails: Vector
+) -> Matrix:
     """dl/dx by automatic differentiation, one row a cable, one column an entry of the twist.
 
     The twist (dc, dw) moves the anchors from a = c + R p to a + dc + dw x R p; it is differentiated
     at zero, where that is exact.
     """
-    here = cables(machine, pose, rails)
     twist = ca.SX.sym("twist", machine.dof)
     entries = [twist[i] for i in range(machine.dof)]
-    moved_arms = [turned(arm, entries[machine.space :]) for arm in here.arms]
-    centre = add_scaled(pose[: machine.space], 1, entries[: machine.space])
-    held = anchor_points(machine, centre, moved_arms)
+    moved_arms = [turned(arm, entries[machine.space :]) for arm in platform_arms]
+    held = anchor_points(machine, add_scaled(centre, 1, entries[: machine.space]), moved_arms)
     lengths = spanned(machine, held, moved_arms, rails, ca.atan2).lengths
     return as_rows(ca.substitute(derivative(lengths, twist), twist, ca.DM.zeros(machine.dof)))
 
@@ -159,10 +159,13 @@ def turned(arm: Vector, spin: Vector) -> Vector:
     return add_scaled(arm, 1, moment(spin, arm))
 
 
-def rail_jacobian(machine: Machine, pose: Vector, rails: ca.SX) -> Matrix:
-    """dl/ds by automatic differentiation, one row a cable, one column a rail coordinate."""
+def rail_jacobian(machine: Machine, held: Matrix, rails: ca.SX) -> Matrix:
+    """dl/ds by automatic differentiation, one row a cable, one column a rail coordinate.
+
+    held: the anchors in the fixed frame [m].
+    """
     entries = [rails[i] for i in range(rails.numel())]
-    lengths = spanned(machine, anchors(machine, pose), [], entries, ca.atan2).lengths
+    lengths = spanned(machine, held, [], entries, ca.atan2).lengths
     return as_rows(derivative(lengths, rails))
 
 
