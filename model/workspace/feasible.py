@@ -79,14 +79,14 @@ def ball_reach(facets: Facets, force: float, moment: float, space: int | None) -
 
 
 def feasible(
-    margin: npt.ArrayLike, structure: npt.ArrayLike, upper: float, demand: float = 0.0
+    margin: npt.ArrayLike, structure: npt.ArrayLike, upper: float, demand: npt.ArrayLike = 0.0
 ) -> Verdict:
     """Whether a margin (...) [N] says yes, boundary included up to rounding; False for NaN.
 
-    `demand` [N]: the largest wrench that was asked for, which is rounded as well.
+    `demand` (...) [N]: the largest wrench that was asked for, which is rounded as well.
     """
     slack = rounding(np.asarray(structure, np.float64), upper)
-    slack = slack + ROUNDINGS * np.finfo(np.float64).eps * demand
+    slack = slack + ROUNDINGS * np.finfo(np.float64).eps * np.asarray(demand)
     return np.asarray(np.asarray(margin) >= -slack)
 
 

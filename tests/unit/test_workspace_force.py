@@ -121,17 +121,17 @@ def test_the_isotropic_force_is_feasible_in_every_direction_and_no_more(
     d: int, n: int, space: int
 ) -> None:
     rng = np.random.default_rng(n)
-    forces = np.zeros((500, d))
-    forces[:, :space] = rng.normal(size=(500, space))
+    forces = np.zeros((150, d))
+    forces[:, :space] = rng.normal(size=(150, space))
     forces /= np.linalg.norm(forces, axis=1, keepdims=True)
     strong = 0
-    for s in random_structures(40, d, n):
+    for s in random_structures(30, d, n):
         force = float(isotropic_force(s, 0.5, UPPER, space))
         if force > 0.2:
             strong += 1
             assert polytope_margin(s, 0.5, UPPER, (force - 1e-9) * forces) > 0
             weakest = float(np.min(force_along(s, 0.5, UPPER, forces)))
-            assert force <= weakest + NEWTON and weakest < 1.4 * force
+            assert force <= weakest + NEWTON and weakest < 1.5 * force
     assert strong > 2
 
 
