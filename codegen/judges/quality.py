@@ -96,7 +96,26 @@ def isotropic_force_eq17(p: Problem) -> Expected:
     return of_quality(p, "force", value, 0.0, slack, ranked=True)
 
 
+def pose_quality(p: Problem) -> Expected:
+    """The margin is as exact as the isotropic force, and the factor is 0 where all T0 are."""
+    parts = tension_factor(p), isotropic_force(p)
+    margin = quality.capacity_margin(p.machine, p["pose"], p["rails"])
+    answer = of_quality(p, "margin", margin, 0.0, parts[1].tolerance["force"], ranked=True)
+    for part in parts:
+        answer.values.update(part.values)
+        answer.tolerance.update(part.tolerance)
+    if p.machine.tension.min == 0:
+        answer.values["factor"] = np.zeros_like(margin)
+    return answer
+
+
 JUDGES: dict[str, Callable[[Problem], Expected]] = {
     judge.__name__: judge
-    for judge in (zero_wrench_tension, tension_factor, isotropic_force, isotropic_force_eq17)
+    for judge in (
+        zero_wrench_tension,
+        tension_factor,
+        isotropic_force,
+        isotropic_force_eq17,
+        pose_quality,
+    )
 }

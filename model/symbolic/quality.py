@@ -1,10 +1,13 @@
 """How good a pose is: tension factor and isotropic force, Yoon section III-A and III-B."""
 
+from dataclasses import dataclass
+
 import casadi as ca
 
 from model.machine import Machine
 from model.symbolic import arguments, kinematics
 from model.symbolic.function import (
+    EPSILON,
     Input,
     Label,
     ModelFunction,
@@ -16,6 +19,7 @@ from model.symbolic.function import (
 )
 from model.symbolic.linear import dot, norm, transpose
 from model.symbolic.null_space import factored
+from model.symbolic.rest import from_neighbours
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
@@ -23,10 +27,27 @@ from model.symbolic.scalar import (
     any_of,
     largest,
     smallest,
+    total,
     where,
 )
-from model.symbolic.tension import KKT_TOLERANCE, Solution, least_norm_tension, rank_lost, rounding
+from model.symbolic.tension import (
+    KKT_TOLERANCE,
+    QUICK_TOLERANCE,
+    Solution,
+    least_norm_tension,
+    least_pivot,
+    rank_lost,
+    rounding,
+)
 from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """TF from one way to find T0; `excess` is by how much T0 misses its check [N], if positive."""
+
+    factor: Scalar
+    excess: Scalar
 
 
 class Rig:
@@ -53,9 +74,33 @@ class Rig:
         """T0, the least-norm tensions that hold the platform without any force on it."""
         return least_norm_tension(self.matrix, self.zero, self.space, *self.bounds)
 
+    def attempts(self) -> list[Attempt]:
+        """TF in every way that this machine has, the quickest first; each checks itself."""
+        low, high = self.bounds
+        if not low:
+            return [Attempt(ca.SX(0), ca.SX(0))]
+        rest = self.at_rest()
+        limit = rounding(KKT_TOLERANCE, ca.SX(high), self.space)
+        always = Attempt(ratio(rest.tension), rest.kkt_residual - limit)
+        if self.machine.dof != 2:
+            return [always]
+        limit = QUICK_TOLERANCE * EPSILON * high
+        neighbours = from_neighbours(self.wrench_set, limit)
+        guesses = neighbours, neighbours.improved()
+        return [*(Attempt(ratio(each.tension), each.miss - limit) for each in guesses), always]
+
     def touching(self) -> Verdict:
         """The platform is at a pulley."""
         return kinematics.touches_a_pulley(self.lengths)
+
+    def parallel(self) -> Verdict:
+        """The cables are parallel: by det S S' (Cauchy-Binet) in the plane, without a root."""
+        if self.machine.dof != 2:
+            return rank_lost(self.space)
+        crosses = self.wrench_set.crosses
+        squares = [x * x for i, row in enumerate(crosses) for x in row[i + 1 :]]
+        square = total(squares) / (len(self.rays) / 2)
+        return not_all_above([square], least_pivot() * least_pivot(), "the cables are parallel")
 
     def outside(self) -> Verdict:
         """The pose is outside the zero-wrench workspace."""
@@ -64,6 +109,11 @@ class Rig:
             Status.INFEASIBLE,
             "the pose is outside the wrench-feasible workspace for zero wrench",
         )
+
+
+def ratio(tension: Vector) -> Scalar:
+    """Least over largest tension."""
+    return smallest(tension) / largest(tension)
 
 
 def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
@@ -122,6 +172,42 @@ def isotropic_force_function(machine: Machine) -> ModelFunction:
     )
 
 
+def pose_quality_function(machine: Machine) -> ModelFunction:
+    """All that a map of poses shows, without doing common work twice.
+
+    The quickest way to T0 is gone first, the next one where that fails its check, and none where
+    the zero wrench is infeasible.
+    """
+    rig = Rig(machine)
+    outside = rig.outside()
+    margin = rig.wrench_set.inner_radius()
+    attempts = rig.attempts()
+    factor, excess = attempts[-1].factor, attempts[-1].excess
+    for attempt in reversed(attempts[:-1]):
+        holds = attempt.excess <= 0
+        factor, excess = where(holds, attempt.factor, factor), where(holds, 0, excess)
+    inaccurate = Verdict(
+        ca.logic_not(where(outside.condition, 0, excess) <= 0),
+        Status.INACCURATE,
+        "the optimality conditions of T0 are missed by more than rounding",
+    )
+    return ModelFunction(
+        "pose_quality",
+        "What a map shows of a pose: capacity margin, least distance of the zero wrench from a "
+        "facet of the feasible forces, negative outside; TF = min(T0) / max(T0), 0 outside and "
+        "for T_min = 0; I_F = max(0, margin). Every force up to F is feasible where margin >= F",
+        "Yoon section III-A, eq. 13; Guay et al. 2014",
+        rig.inputs,
+        (
+            scalar_output("margin", "N", margin),
+            scalar_output("factor", "1", where(outside.condition, 0, factor)),
+            scalar_output("force", "N", ca.fmax(0, margin)),
+        ),
+        (rig.touching(), rig.parallel(), inaccurate, outside),
+        (kinematics.length_label(rig.lengths),),
+    )
+
+
 def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
     """Isotropic force as published, from the parallelograms of adjacent tension margins."""
     rig = Rig(machine)
@@ -174,5 +260,6 @@ def functions(machine: Machine) -> list[ModelFunction]:
         zero_wrench_tension_function(machine),
         tension_factor_function(machine),
         isotropic_force_function(machine),
+        pose_quality_function(machine),
         isotropic_force_eq17_function(machine),
     ]
