@@ -4,7 +4,8 @@ import textwrap
 from dataclasses import dataclass
 
 from codegen.accuracy import Accuracy, WorstCase
-from codegen.ir import Procedure, Routine, cost
+from codegen.composite import Item, Loop, Procedure, cost, most_steps
+from codegen.ir import Routine
 from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
 from model.symbolic.function import Input, ModelFunction, Output, Status
 
@@ -20,18 +21,65 @@ class CFunction:
     comment: str
     prototype: str
     body: str
+    parts: tuple["CFunction", ...] = ()
 
 
-def emit(item: Routine | Procedure, accuracy: Accuracy) -> CFunction:
+def emit(item: Item, accuracy: Accuracy) -> CFunction:
     """The C of one function."""
     function = item.function
-    lines = retry_body(item) if isinstance(item, Procedure) else body(item)
     return CFunction(
         f"tb_{function.name}",
         comment(item, accuracy),
         prototype(f"tb_{function.name}", function),
-        "\n".join(lines),
+        "\n".join(item_body(item)),
+        tuple(map(part, loop_parts(item))) if isinstance(item, Loop) else (),
     )
+
+
+def item_body(item: Item) -> list[str]:
+    """The statements of a function."""
+    if isinstance(item, Procedure):
+        return retry_body(item)
+    return loop_body(item) if isinstance(item, Loop) else body(item)
+
+
+def loop_parts(item: Loop) -> list[Routine]:
+    """What a loop calls, in order."""
+    return [item.begin, item.step, item.finish]
+
+
+def part(routine: Routine) -> CFunction:
+    """A routine that only the functions of its file call."""
+    function = routine.function
+    text = f"{function.summary}."
+    return CFunction(
+        f"tb_{function.name}",
+        "\n * ".join(fill(text, "")),
+        f"static {prototype(f'tb_{function.name}', function)}",
+        "\n".join(body(routine)),
+    )
+
+
+def loop_body(item: Loop) -> list[str]:
+    """Begin, step until that is done or fails, finish."""
+    function, done = item.function, item.done.name
+    begin, step, finish = (call(routine.function, {}) for routine in loop_parts(item))
+    return [
+        *(f"    real_t {entry.name}[{entry.size}];" for entry in item.state),
+        f"    real_t {done}[1] = {{{literal(0.0)}}};",
+        *wrap(f"    tb_status status = {begin};", "    "),
+        f"    for (int steps = 0; steps < {item.repeat.most} && status == TB_OK"
+        f" && !({done}[0] > {literal(0.0)}); steps++) {{",
+        *wrap(f"        status = {step};", "        "),
+        "    }",
+        f"    if (status == TB_OK && !({done}[0] > {literal(0.0)})) {{",
+        "        status = TB_INACCURATE;",
+        "    }",
+        "    if (status != TB_OK) {",
+        *fallback("status", function),
+        "    }",
+        *wrap(f"    return {finish};", "    "),
+    ]
 
 
 def retry_body(item: Procedure) -> list[str]:
@@ -46,11 +94,13 @@ def retry_body(item: Procedure) -> list[str]:
         *wrap(f"    const tb_status verdict = {call(second, {})};", "    "),
     ]
     argument = first.inputs[item.replaced].name
+    may_fail = any(verdict.is_fault for verdict in second.verdicts)
+    usable = " && verdict <= TB_INFEASIBLE" if may_fail else ""
     for number, served in enumerate(second.outputs):
         for attempt in item.attempts:
             # The first attempt has failed at the wanted argument already.
             another = number or attempt is item.attempts[0]
-            allowed = " && verdict == TB_INFEASIBLE" if another else ""
+            allowed = " && verdict == TB_INFEASIBLE" if another else usable
             again = call(attempt.function, {argument: served.name})
             lines += [
                 f"    if (status == TB_INACCURATE{allowed}) {{",
@@ -66,7 +116,7 @@ def call(function: ModelFunction, replaced: dict[str, str]) -> str:
     return f"tb_{function.name}({', '.join(names)})"
 
 
-def emit_alias(name: str, routine: Routine | Procedure) -> CFunction:
+def emit_alias(name: str, routine: Item) -> CFunction:
     """A function that is another one under a second name."""
     function = routine.function
     line = f"    return {call(function, {})};"
@@ -79,19 +129,23 @@ def emit_alias(name: str, routine: Routine | Procedure) -> CFunction:
 
 
 def argument_names(function: ModelFunction) -> list[str]:
-    """Names of arguments and results in the order of the C function."""
-    return [a.name for a in function.inputs] + [result.name for result in function.outputs]
+    """Names of arguments and results in the order of the C function; what is both comes once."""
+    return list(dict.fromkeys(port.name for port in function.ports))
 
 
 def prototype(name: str, function: ModelFunction) -> str:
     """Declaration without the semicolon."""
-    arguments = [f"const real_t {port.name}[{max(1, port.size)}]" for port in function.inputs]
-    arguments += [f"real_t {port.name}[{port.size}]" for port in function.outputs]
-    lines = wrap(f"tb_status {name}({', '.join(arguments)})", "")
+    results = {port.name: f"real_t {port.name}[{port.size}]" for port in function.outputs}
+    arguments = {
+        port.name: results.get(port.name, f"const real_t {port.name}[{max(1, port.size)}]")
+        for port in function.inputs
+    }
+    parameters = list((arguments | results).values())
+    lines = wrap(f"tb_status {name}({', '.join(parameters)})", "")
     return "\n".join(lines)
 
 
-def comment(routine: Routine | Procedure, accuracy: Accuracy) -> str:
+def comment(routine: Item, accuracy: Accuracy) -> str:
     """What a user of the function must know: meaning, units, domain, accuracy, cost."""
     function = routine.function
     lines = fill(f"{function.summary}  ({function.source}).", "")
@@ -99,7 +153,11 @@ def comment(routine: Routine | Procedure, accuracy: Accuracy) -> str:
     lines += domain(function)
     lines += worst(accuracy)
     counts = ", ".join(f"{count} {name}" for name, count in cost(routine).items())
-    lines += fill(f"Cost, all branches: {counts or 'none'}.", "")
+    steps = most_steps(routine)
+    if steps:
+        lines += fill(f"At most {steps} steps.", "")
+    scope = "all branches and steps" if steps else "all branches"
+    lines += fill(f"Cost, {scope}: {counts or 'none'}.", "")
     return "\n *  ".join(lines)
 
 
@@ -174,10 +232,25 @@ def body(routine: Routine) -> list[str]:
     for verdict, number in zip(function.verdicts, routine.verdicts, strict=True):
         if verdict.is_fault:
             lines += refusal(printer.result(number), verdict.status, function)
-    for output, numbers in zip(function.outputs, routine.outputs, strict=True):
-        for entry, number in enumerate(numbers):
-            lines += wrap(f"    {output.name}[{entry}] = {printer.result(number)};", "    ")
-    return [*lines, *answer(routine, printer)]
+    return [*lines, *results(routine, printer), *answer(routine, printer)]
+
+
+def results(routine: Routine, printer: Printer) -> list[str]:
+    """Gives every output its value; what an output overwrites and another one needs is kept."""
+    targets = [
+        (f"{output.name}[{entry}]", printer.result(number))
+        for output, numbers in zip(routine.function.outputs, routine.outputs, strict=True)
+        for entry, number in enumerate(numbers)
+    ]
+    moved = [(target, value) for target, value in targets if target != value]
+    overwritten = {target for target, _ in moved}
+    kept = {
+        value: f"old_{value[:-1].replace('[', '_')}" for _, value in moved if value in overwritten
+    }
+    lines = [f"    const real_t {name} = {value};" for value, name in kept.items()]
+    for target, value in moved:
+        lines += wrap(f"    {target} = {kept.get(value, value)};", "    ")
+    return lines
 
 
 def answer(routine: Routine, printer: Printer) -> list[str]:
@@ -200,7 +273,7 @@ def guard(function: ModelFunction) -> list[str]:
     for test in tests:
         lines += wrap(f"          && {test}" if lines else f"    if (!({test}", "          ")
     lines[-1] += ")) {"
-    return [*lines, *fallback(Status.OUT_OF_DOMAIN, function), "    }"]
+    return [*lines, *fallback("TB_OUT_OF_DOMAIN", function), "    }"]
 
 
 def domain_tests(port: Input) -> list[str]:
@@ -219,14 +292,15 @@ def domain_tests(port: Input) -> list[str]:
 
 def refusal(condition: str, status: Status, function: ModelFunction) -> list[str]:
     """Returns the fallback where a condition holds."""
-    return [*wrap(f"    if ({condition}) {{", "    "), *fallback(status, function), "    }"]
+    answered = fallback(f"TB_{status.name}", function)
+    return [*wrap(f"    if ({condition}) {{", "    "), *answered, "    }"]
 
 
-def fallback(status: Status, function: ModelFunction) -> list[str]:
+def fallback(status: str, function: ModelFunction) -> list[str]:
     """Statements that give every output its fallback and return."""
     lines = [
         f"        {output.name}[{entry}] = {literal(output.fallback)};"
         for output in function.outputs
         for entry in range(output.size)
     ]
-    return [*lines, f"        return TB_{status.name};"]
+    return [*lines, f"        return {status};"]

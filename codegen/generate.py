@@ -14,14 +14,14 @@ import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
+from codegen.composite import Item, Procedure, fingerprint, loop
 from codegen.constants import constants
 from codegen.emit import CFunction, emit, emit_alias
-from codegen.ir import Procedure, Routine, fingerprint
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
-from model.symbolic.function import Input, Output, Status
-from model.symbolic.topics import TOPICS, model_functions, model_procedures
+from model.symbolic.function import Input, Output, Repeat, Retry, Status
+from model.symbolic.topics import TOPICS, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
@@ -33,9 +33,6 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 class GenerateError(Exception):
     """The C cannot be written; the text says what stands in the way."""
-
-
-Item = Routine | Procedure
 
 
 @dataclass(frozen=True)
@@ -69,16 +66,22 @@ def build_model(machine: Machine) -> Model:
         topic: [simplify(lower(function)) for function in functions]
         for topic, functions in model_functions(machine).items()
     }
-    by_name = {r.function.name: r for group in routines.values() for r in group}
     topics: dict[str, list[Item]] = {topic: [*group] for topic, group in routines.items()}
-    for topic, retries in model_procedures(machine).items():
-        topics[topic] += [
-            Procedure(
-                retry, tuple(by_name[name] for name in retry.attempts), by_name[retry.substitute]
-            )
-            for retry in retries
-        ]
+    known = {item.function.name: item for group in topics.values() for item in group}
+    for topic, composites in model_composites(machine).items():
+        for composite in composites:
+            item = composed(composite, known)
+            known[composite.name] = item
+            topics[topic].append(item)
     return Model(machine, topics)
+
+
+def composed(composite: Retry | Repeat, known: dict[str, Item]) -> Item:
+    """A function made of others: of those that are known, or of its own parts."""
+    if isinstance(composite, Repeat):
+        return loop(composite, lambda part: simplify(lower(part)))
+    attempts = tuple(known[name] for name in composite.attempts)
+    return Procedure(composite, attempts, known[composite.substitute])
 
 
 def machine_hash(model: Model) -> str:

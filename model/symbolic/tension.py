@@ -16,6 +16,7 @@ from model.symbolic.function import (
     Label,
     ModelFunction,
     Output,
+    Repeat,
     Retry,
     Status,
     Verdict,
@@ -251,7 +252,7 @@ def methods(machine: Machine) -> list[Method]:
     return [quick, always] if (machine.dof, len(machine.cables)) == (2, 4) else [always]
 
 
-def procedures(machine: Machine) -> list[Retry]:
+def composites(machine: Machine) -> list[Retry | Repeat]:
     """Distributions that serve another wrench where the wanted one is infeasible."""
     return [
         Retry(

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from model.machine import Machine
 from model.symbolic import control, kinematics, quality, statics, tension
-from model.symbolic.function import ModelFunction, Retry
+from model.symbolic.function import ModelFunction, Repeat, Retry
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematics.functions),
@@ -20,6 +20,6 @@ def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
     return {topic: build(machine) for topic, (_, build) in TOPICS.items()}
 
 
-def model_procedures(machine: Machine) -> dict[str, list[Retry]]:
-    """Every function that is made of others, by topic."""
-    return {"tension": tension.procedures(machine)}
+def model_composites(machine: Machine) -> dict[str, list[Retry | Repeat]]:
+    """Every function that is made of others, by topic; those it is made of come before it."""
+    return {"tension": tension.composites(machine)}
