@@ -14,14 +14,19 @@ import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
+from codegen.chain import Chain, chain
 from codegen.composite import Item, Procedure, fingerprint, loop
 from codegen.constants import constants
 from codegen.emit import CFunction, emit, emit_alias
+from codegen.enumeration import enumeration
+from codegen.ir import Routine
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
-from model.symbolic.function import Input, Output, Repeat, Retry, Status
-from model.symbolic.topics import TOPICS, model_composites, model_functions
+from model.symbolic.composition import Composition
+from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
+from model.symbolic.sweep import Sweep
+from model.symbolic.topics import TOPICS, Composite, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
@@ -63,7 +68,7 @@ def build_model(machine: Machine) -> Model:
             f"{machine.dof} degrees of freedom"
         )
     routines = {
-        topic: [simplify(lower(function)) for function in functions]
+        topic: [lowered(function) for function in functions]
         for topic, functions in model_functions(machine).items()
     }
     topics: dict[str, list[Item]] = {topic: [*group] for topic, group in routines.items()}
@@ -76,12 +81,21 @@ def build_model(machine: Machine) -> Model:
     return Model(machine, topics)
 
 
-def composed(composite: Retry | Repeat, known: dict[str, Item]) -> Item:
+def composed(composite: Composite, known: dict[str, Item]) -> Item:
     """A function made of others: of those that are known, or of its own parts."""
     if isinstance(composite, Repeat):
-        return loop(composite, lambda part: simplify(lower(part)))
+        return loop(composite, lowered)
+    if isinstance(composite, Sweep):
+        return enumeration(composite, lowered)
+    if isinstance(composite, Composition):
+        return chain(composite, known, lowered)
     attempts = tuple(known[name] for name in composite.attempts)
     return Procedure(composite, attempts, known[composite.substitute])
+
+
+def lowered(function: ModelFunction) -> Routine:
+    """A model function ready to print."""
+    return simplify(lower(function))
 
 
 def machine_hash(model: Model) -> str:
@@ -125,12 +139,21 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
             "header": f"tb_{topic}.h",
             "subject": f"{TOPICS[topic][0].capitalize()} of {machine.name}.",
             "functions": c_functions(model, routines, accuracies),
+            "includes": [f"tb_{other}.h" for other in called_topics(model, topic)],
         }
         for kind in ("h", "c"):
             template = environment.get_template(f"topic.{kind}.jinja")
             files[f"tb_{topic}.{kind}"] = template.render(fields)
     files[MANIFEST] = manifest(model, identity, files)
     return files
+
+
+def called_topics(model: Model, topic: str) -> list[str]:
+    """The other topics whose functions those of a topic call."""
+    homes = {item.function.name: home for home, items in model.topics.items() for item in items}
+    chains = [item for item in model.topics[topic] if isinstance(item, Chain)]
+    called = {homes[name] for item in chains for name in item.called()}
+    return sorted(called - {topic})
 
 
 def c_functions(
