@@ -71,8 +71,8 @@ def chain(
 ) -> Chain:
     """The calls of a composition on functions that are known or its own.
 
-    Of its own functions the first that takes an argument guards it. Raises ValueError where the
-    calls do not fit together.
+    Of its own functions the first that takes an argument guards it; results are taken as they are.
+    Raises ValueError where the calls do not fit together.
     """
     links: list[Link] = []
     there = shapes(composition.inputs)
@@ -83,7 +83,7 @@ def chain(
         else:
             link = Link(own_item(call, guarded, lowered), call, True)
         refuse_misfits(link, there)
-        guarded |= link.takes().keys()
+        guarded |= link.takes().keys() | link.gives().keys()
         there |= {name: port.shape for name, port in link.gives().items()}
         links.append(link)
     return Chain(composition, tuple(links))

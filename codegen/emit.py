@@ -7,7 +7,7 @@ from codegen.accuracy import Accuracy, WorstCase
 from codegen.chain import Chain, Link
 from codegen.composite import Item, Loop, Procedure, cost, most_steps, most_visits
 from codegen.enumeration import Enumeration
-from codegen.ir import Routine
+from codegen.ir import Op, Routine
 from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
 from model.symbolic.function import Input, ModelFunction, Output, Status
 from model.symbolic.sweep import CHOSEN, NUMBERS
@@ -336,13 +336,27 @@ def body(routine: Routine) -> list[str]:
     """Guards, then the computation, then the verdicts."""
     printer = Printer(routine)
     function = routine.function
-    lines = [f"    (void){port.name};" for port in function.inputs if not port.size]
+    lines = [f"    (void){port.name};" for port in ignored(routine)]
     lines += guard(function)
     lines += printer.body()
     for verdict, number in zip(function.verdicts, routine.verdicts, strict=True):
         if verdict.is_fault:
             lines += refusal(printer.result(number), verdict.status, function)
     return [*lines, *results(routine, printer), *answer(routine, printer)]
+
+
+def ignored(routine: Routine) -> list[Input]:
+    """Arguments that nothing reads."""
+    entries = {
+        routine.nodes[number].entry[0]
+        for number in routine.needed()
+        if routine.nodes[number].op is Op.INPUT
+    }
+    return [
+        port
+        for place, port in enumerate(routine.function.inputs)
+        if not port.size or (place not in entries and not port.guarded)
+    ]
 
 
 def results(routine: Routine, printer: Printer) -> list[str]:

@@ -39,7 +39,7 @@ class Enumeration:
     @property
     def matrix_shape(self) -> tuple[int, int]:
         """Rows and columns of the matrix whose columns are chosen."""
-        shape = shapes(self.begin.function.inputs)[self.sweep.matrix]
+        shape = shapes(self.begin.function.ports)[self.sweep.matrix]
         return shape[0], shape[1]
 
     def parts(self) -> list[Routine]:
@@ -63,11 +63,12 @@ def enumeration(sweep: Sweep, lowered: Callable[[ModelFunction], Routine]) -> En
 def refuse_misfits(sweep: Sweep) -> None:
     """Visits read what there is and write what is carried; subsets are of one size, in bounds."""
     begin, visit, finish = sweep.begin, sweep.visit, sweep.finish
-    rows, columns = shapes(begin.inputs)[sweep.matrix]
-    size = len(sweep.subsets[0])
     known = shapes(begin.ports)
-    if taken := {CHOSEN, NUMBERS} & shapes((*begin.ports, *finish.ports)).keys():
-        raise ValueError(f"{sweep.name}: {min(taken)} is the subset's, and no argument or result")
+    rows, columns = known[sweep.matrix]
+    size = len(sweep.subsets[0])
+    names = shapes((*begin.ports, *finish.outputs))
+    if taken := {CHOSEN, NUMBERS} & names.keys() | known.keys() & shapes(finish.outputs).keys():
+        raise ValueError(f"{sweep.name}: another port has the name {min(taken)}")
     refuse_strangers(visit.name, visit.inputs, known | {CHOSEN: (rows, size), NUMBERS: (size,)})
     refuse_strangers(visit.name, visit.outputs, shapes(begin.outputs))
     refuse_strangers(finish.name, finish.inputs, known)

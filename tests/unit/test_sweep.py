@@ -16,48 +16,48 @@ from codegen.evaluate import DOUBLE, evaluate, extended
 from codegen.generate import lowered
 from model.machine import Machine
 from model.symbolic.function import (
-    ModelFunction,
+    Output,
     Status,
     Verdict,
-    carried,
     make_input,
     scalar_output,
     vector_output,
 )
 from model.symbolic.linear import dot
-from model.symbolic.scalar import where
-from model.symbolic.sweep import Sweep, of_the_subset, subsets
+from model.symbolic.scalar import Vector, where
+from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
 
 ROWS, COLUMNS = 3, 5
+PAIRS = tuple(combinations(range(COLUMNS), 2))
 
 
 def longest_sum(size: int = 2) -> Sweep:
     """Of all sums of `size` columns the longest: its square, and the numbers of the columns."""
     matrix = make_input("matrix", (ROWS, COLUMNS), "1", [-4.0], [4.0])
-    state = [scalar_output("square", "1", ca.SX(-1)), vector_output("best", "1", [ca.SX(0)] * size)]
+    state = (scalar_output("square", "1", ca.SX(-1)), vector_output("best", "1", [ca.SX(0)] * size))
+
+    def visit(subset: Subset, known: Ports) -> dict[str, Vector]:
+        total = [sum(row[1:], row[0]) for row in subset.columns.rows()]
+        (before,) = known["square"].scalars()
+        longer = dot(total, total) > before
+        pairs = zip(subset.numbers.scalars(), known["best"].scalars(), strict=True)
+        return {
+            "square": [where(longer, dot(total, total), before)],
+            "best": [where(longer, a, b) for a, b in pairs],
+        }
+
+    def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        (square,) = known["square"].scalars()
+        results = (
+            scalar_output("length", "1", ca.sqrt(square)),
+            vector_output("columns", "1", known["best"].scalars()),
+        )
+        return results, (Verdict(square < 9, Status.INFEASIBLE, "all sums are short"),)
+
+    scheme = Scheme((matrix,), "matrix", size, state, visit, finish)
+    sweep = make_sweep("longest", "Longest sum", "trial", scheme)
     broken = Verdict(matrix.scalars()[0] > 3, Status.SINGULAR, "the first entry exceeds 3")
-    begin = ModelFunction("longest_begin", "Nothing yet", "", (matrix,), tuple(state), (broken,))
-    square, best = carried(state)
-    chosen, numbers = of_the_subset(ROWS, size)
-    total = [sum(row[1:], row[0]) for row in chosen.rows()]
-    longer = dot(total, total) > square.scalars()[0]
-    outputs = (
-        scalar_output("square", "1", where(longer, dot(total, total), square.scalars()[0])),
-        vector_output(
-            "best",
-            "1",
-            [where(longer, a, b) for a, b in zip(numbers.scalars(), best.scalars(), strict=True)],
-        ),
-    )
-    visit = ModelFunction("longest_visit", "A sum", "", (chosen, numbers, square, best), outputs)
-    short = Verdict(square.scalars()[0] < 9, Status.INFEASIBLE, "all sums are short")
-    results = (
-        scalar_output("length", "1", ca.sqrt(square.scalars()[0])),
-        vector_output("columns", "1", best.scalars()),
-    )
-    finish = ModelFunction("longest_finish", "Its length", "", (square, best), results, (short,))
-    table = subsets(COLUMNS, size)
-    return Sweep("longest", "Longest sum", "trial", begin, visit, finish, "matrix", table)
+    return replace(sweep, begin=replace(sweep.begin, verdicts=(broken,)))
 
 
 def item(size: int = 2) -> Enumeration:
@@ -88,7 +88,7 @@ def test_the_c_finds_the_best_of_all_subsets(size: int, stock: Machine) -> None:
 
 def test_a_shorter_table_finds_less(stock: Machine) -> None:
     """The negative control: the answers depend on every row of the table."""
-    short = enumeration(replace(longest_sum(), subsets=subsets(COLUMNS, 2)[:-1]), lowered)
+    short = enumeration(replace(longest_sum(), subsets=PAIRS[:-1]), lowered)
     found, all_found = (
         built(stock, [each], "double").longest(matrices()).length for each in (short, item())
     )
@@ -106,7 +106,7 @@ def test_the_table_is_in_the_c_and_the_number_of_visits_in_its_comment(stock: Ma
 
 
 def test_every_visit_costs() -> None:
-    short = enumeration(replace(longest_sum(), subsets=subsets(COLUMNS, 2)[:4]), lowered)
+    short = enumeration(replace(longest_sum(), subsets=PAIRS[:4]), lowered)
     difference = cost(item())["mul"] - cost(short)["mul"]
     assert difference == (most_visits(item()) - 4) * cost(short.visit)["mul"] > 0
     assert fingerprint(short) != fingerprint(item())
@@ -127,8 +127,8 @@ def test_parts_that_do_not_fit_together_are_refused() -> None:
     strange = replace(good.finish, inputs=(make_input("other", (2,), "1", [0.0], [0.0]),))
     with pytest.raises(ValueError, match=r"longest_finish: other \(2,\) is none of"):
         enumeration(replace(good, finish=strange), lowered)
-    mixed = replace(good.finish, inputs=of_the_subset(ROWS, 2)[1:])
-    with pytest.raises(ValueError, match="numbers is the subset's"):
+    mixed = replace(good.finish, outputs=(scalar_output("numbers", "1", ca.SX(0)),))
+    with pytest.raises(ValueError, match="another port has the name numbers"):
         enumeration(replace(good, finish=mixed), lowered)
     doubtful = replace(good.visit, verdicts=good.finish.verdicts)
     with pytest.raises(ValueError, match="only longest_finish may find the problem infeasible"):

@@ -1,0 +1,364 @@
+"""Tension methods to compare with: Brau et al., corrected where they are wrong as printed.
+
+Kernel method (eqs 3-5), reduced matrices (eqs 6, 7), and how much tension a force of some size asks
+for in its worst direction (eqs 12, 14, 17-19, and exactly). None of them knows T_max.
+"""
+
+from itertools import combinations
+
+import casadi as ca
+
+from model.machine import Machine
+from model.symbolic import arguments
+from model.symbolic.composition import Composition
+from model.symbolic.facets import WEIGHED, Facet, FacetSweep, vector_product
+from model.symbolic.function import (
+    EPSILON,
+    Input,
+    ModelFunction,
+    Output,
+    Repeat,
+    Retry,
+    Status,
+    Verdict,
+    matrix_output,
+    scalar_output,
+    vector_output,
+)
+from model.symbolic.linear import cross, dot, factorise, subtract, transpose
+from model.symbolic.null_space import factored
+from model.symbolic.polytope import Line
+from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, any_of, largest, total, where
+from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
+from model.symbolic.tension import (
+    KKT_TOLERANCE,
+    LARGEST_MISS,
+    RANK_TOLERANCE,
+    SMALLEST_PIVOT,
+    least_norm_tension,
+    rank_lost,
+    rounding,
+)
+from model.symbolic.wrench_norm import weighed, weighed_rows
+from model.symbolic.wrench_set import FAR
+
+KERNEL = "Brau eqs 3-5"
+REDUCED = "Brau eqs 6, 7"
+#: A tension may be below T_min by rounding: this many EPSILON of the sum of all tensions.
+BELOW = 16.0
+#: Kernel entries are positive above this many EPSILON of a unit vector.
+COOPERATIVE = 64.0
+#: Pairs of so many planar cables are written out; more are visited.
+WRITTEN_OUT = 6
+
+
+def singular_below() -> Scalar:
+    """Cables whose pivots are not above this are dependent; as for the tension distribution."""
+    return ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
+
+
+def kernel_method(machine: Machine) -> ModelFunction:
+    """T = S+ W + alpha K for one redundant cable: alpha brings the least tension to T_min."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
+    low, space = machine.tension.min, factored(matrix, wanted)
+    assert isinstance(space.space, Line)
+    # either sign of a kernel will do, but eq. 5 wants positive entries
+    up = ca.copysign(1, space.space.direction[0])
+    kernel = [up * entry for entry in space.space.direction]
+    cooperative = all_of([entry > COOPERATIVE * EPSILON for entry in kernel])
+    alpha = largest([(low - x) / k for x, k in zip(space.start, kernel, strict=True)])
+    tension = [
+        where(cooperative, ca.fmax(x + alpha * k, low), low)
+        for x, k in zip(space.start, kernel, strict=True)
+    ]
+    return ModelFunction(
+        "kernel_method",
+        "Tensions by the kernel of S: the least of them is T_min; T_max is not looked at",
+        KERNEL,
+        (structure, wrench),
+        (vector_output("tension", "N", tension, fallback=low),),
+        (
+            rank_lost(space),
+            Verdict(
+                ca.logic_not(cooperative),
+                Status.INFEASIBLE,
+                "the kernel has entries of both signs, or zero, and every cable holds T_min",
+            ),
+        ),
+    )
+
+
+def kernel_method_plane(machine: Machine) -> ModelFunction:
+    """The same with more redundant cables, where the paper calls for a quadratic program."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
+    space = factored(matrix, wanted)
+    low = machine.tension.min
+    solution = least_norm_tension(matrix, wanted, space, low, None)
+    limit = rounding(KKT_TOLERANCE, largest(solution.tension), space)
+    most = LARGEST_MISS * machine.tension.max
+    unsolved = ca.logic_not(solution.kkt_residual <= ca.fmin(limit, most))
+    tension = [where(unsolved, low, value) for value in solution.tension]
+    return ModelFunction(
+        "kernel_method",
+        "Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at",
+        f"{KERNEL}, a quadratic program for more than one redundant cable",
+        (structure, wrench),
+        (vector_output("tension", "N", tension, fallback=low),),
+        (
+            rank_lost(space),
+            Verdict(unsolved, Status.INFEASIBLE, "there is no solution; every cable holds T_min"),
+        ),
+    )
+
+
+def beyond_least(machine: Machine, structure: Input, wrench: Input) -> Vector:
+    """What is left of a wrench when every cable holds T_min; reduced systems exert it on top."""
+    held = [machine.tension.min * total(row) for row in structure.rows()]
+    return subtract(wrench.scalars(), held)
+
+
+def none_qualifies(least: Scalar) -> Verdict:
+    """No reduced system has tensions of T_min and above."""
+    return Verdict(
+        ca.logic_not(least < FAR),
+        Status.INFEASIBLE,
+        "no set of d cables exerts the wrench with T_min and above, and every cable holds T_min",
+    )
+
+
+REDUCED_SUMMARY = (
+    "Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of"
+    " T_min and above the one of lowest sum; T_max is not looked at"
+)
+
+
+def reduced_pairs(machine: Machine) -> ModelFunction:
+    """Reduced matrices for a few planar cables: heights and cross products serve all pairs.
+
+    A pair exerts R = W - T_min sum s_k on top of T_min by (s_i x R) / D in j, -(s_j x R) / D in i,
+    with D = s_i x s_j; the sign rule of eqs 8, 9 counts within the set.
+    """
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    columns, low = transpose(structure.rows()), machine.tension.min
+    rest = beyond_least(machine, structure, wrench)
+    heights = [cross(column, rest) for column in columns]
+    least, best = ca.SX(FAR), [ca.SX(0)] * len(columns)
+    for i, j in combinations(range(len(columns)), 2):
+        determinant = cross(columns[i], columns[j])
+        first, second = -heights[j] / determinant, heights[i] / determinant
+        qualifies = better([first, second], [determinant], least, low * len(columns))
+        chosen = {i: first, j: second}
+        best = [where(qualifies, chosen.get(k, 0), value) for k, value in enumerate(best)]
+        least = where(qualifies, first + second, least)
+    tension = [low + ca.fmax(value, 0) for value in best]
+    return ModelFunction(
+        "reduced_matrices",
+        REDUCED_SUMMARY,
+        REDUCED,
+        (structure, wrench),
+        (vector_output("tension", "N", tension, fallback=low),),
+        (none_qualifies(least),),
+    )
+
+
+def better(above: Vector, pivots: Vector, least: Scalar, held: float) -> Scalar:
+    """Whether a reduced system is regular, its tensions reach T_min, and their sum is the least.
+
+    `above` is what its tensions have above T_min, and `held` is T_min of all cables.
+    """
+    slack = BELOW * EPSILON * (total([ca.fabs(value) for value in above]) + held)
+    return all_of(
+        [
+            *(ca.fabs(pivot) > singular_below() for pivot in pivots),
+            *(value >= -slack for value in above),
+            total(above) < least,
+        ]
+    )
+
+
+def reduced_sweep(machine: Machine) -> Sweep:
+    """Reduced matrices for any cables: every set of d is visited."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    dof, count, low = machine.dof, len(machine.cables), machine.tension.min
+    rest = weighed(machine, beyond_least(machine, structure, wrench))
+    rows = weighed_rows(machine, structure.rows())
+    state = (
+        *((matrix_output(WEIGHED, "1", rows),) if machine.is_rigid else ()),
+        vector_output("rest", "N", rest),
+        scalar_output("least", "N", ca.SX(FAR)),
+        vector_output("best", "N", [ca.SX(0)] * dof),
+        vector_output("cables", "1", [ca.SX(-1)] * dof),
+    )
+
+    def visit(subset: Subset, known: Ports) -> dict[str, Vector]:
+        above, pivots = solved(subset.columns.rows(), known["rest"].scalars())
+        least = known["least"].scalars()[0]
+        qualifies = better(above, pivots, least, low * count)
+        taken = {"best": above, "cables": subset.numbers.scalars(), "least": [total(above)]}
+        return {
+            name: [
+                where(qualifies, new, old)
+                for new, old in zip(values, known[name].scalars(), strict=True)
+            ]
+            for name, values in taken.items()
+        }
+
+    def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        best, cables = known["best"].scalars(), known["cables"].scalars()
+        tension = [
+            low
+            + total([where(k == i, ca.fmax(x, 0), 0) for k, x in zip(cables, best, strict=True)])
+            for i in range(count)
+        ]
+        outputs = (vector_output("tension", "N", tension, fallback=low),)
+        return outputs, (none_qualifies(known["least"].scalars()[0]),)
+
+    matrix = WEIGHED if machine.is_rigid else structure.name
+    scheme = Scheme((structure, wrench), matrix, dof, state, visit, finish)
+    return make_sweep("reduced_matrices", REDUCED_SUMMARY, REDUCED, scheme)
+
+
+def solved(matrix: Matrix, right: Vector) -> tuple[Vector, Vector]:
+    """Solution of a square system, and its pivots: the determinant alone for d = 2 and 3."""
+    columns = transpose(matrix)
+    if len(columns) == 2:
+        determinant = cross(*columns)
+        return [cross(right, columns[1]) / determinant, cross(columns[0], right) / determinant], [
+            determinant
+        ]
+    if len(columns) == 3:
+        across = [vector_product(columns[i - 2], columns[i - 1]) for i in range(3)]
+        determinant = dot(columns[0], across[0])
+        return [dot(right, normal) / determinant for normal in across], [determinant]
+    factors = factorise(matrix)
+    return factors.least_norm(right), factors.pivots()
+
+
+def maximum_tension_eq12(machine: Machine) -> Sweep:
+    """Eq. 12: in set S_k cable i bears at most F |Delta_i| / |Delta|, largest over the sets.
+
+    With the unit normal m of the d - 1 other cables of a set that is F / |m . s_i|, or F |m_F| over
+    it for the part of m along forces: one facet tells it for all cables that complete it to a set.
+    """
+    structure, force = arguments.structure(machine), arguments.force(machine)
+    count = len(machine.cables)
+    size = force.scalars()[0]
+    state = (vector_output("most", "N", [ca.SX(0)] * count), scalar_output("size", "N", size))
+
+    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
+        regular, slope = facet.exists(singular_below()), facet.slope(machine.space)
+        ratios = [
+            where(all_of([regular, ca.fabs(height) > singular_below()]), slope / ca.fabs(height), 0)
+            for height in facet.heights
+        ]
+        pairs = zip(known["most"].scalars(), ratios, strict=True)
+        return {"most": [ca.fmax(old, new) for old, new in pairs]}
+
+    def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        tension = [known["size"].scalars()[0] * ratio for ratio in known["most"].scalars()]
+        return (vector_output("tension", "N", tension),), ()
+
+    sweep = FacetSweep(machine, structure, (force,), state, visit, finish)
+    return sweep.named(
+        "maximum_tension_eq12",
+        "Largest tension of every cable over all directions of a force and all regular sets of d"
+        " cables that may bear it, T_min = 0; tight for d + 1 cables with a cooperative kernel",
+        "Brau eq. 12 with |Delta|; 14 for 3 planar cables, 18 and 19 for 4 in space",
+    )
+
+
+def maximum_tension_adjacent(machine: Machine) -> ModelFunction:
+    """Eq. 17 corrected: a force between two adjacent cables is borne by these."""
+    structure, force = arguments.structure(machine), arguments.force(machine)
+    columns = transpose(structure.rows())
+    count = len(columns)
+    ratios = [ca.SX(0)] * count
+    enclosed = []
+    for i in range(count):
+        following = []
+        for j in range(count):
+            if i != j:
+                sine = cross(columns[i], columns[j])
+                next_to = adjacent(columns, i, j)
+                obtuse = dot(columns[i], columns[j]) < 0
+                ratio = where(next_to, where(obtuse, 1 / sine, 1), 0)
+                ratios[i], ratios[j] = ca.fmax(ratios[i], ratio), ca.fmax(ratios[j], ratio)
+                following.append(next_to)
+        enclosed.append(any_of(following))
+    inside = all_of(enclosed)
+    size = force.scalars()[0]
+    return ModelFunction(
+        "maximum_tension_adjacent",
+        "Largest tension of every cable over all directions of a force that the two adjacent cables"
+        " bear, T_min = 0; exact",
+        "Brau eq. 17 with adjacent cables only",
+        (structure, force),
+        (vector_output("tension", "N", [where(inside, size * ratio, 0) for ratio in ratios]),),
+        (
+            Verdict(
+                ca.logic_not(inside),
+                Status.INFEASIBLE,
+                "cables leave half the plane, or nearly, without any; 0 in every cable",
+            ),
+        ),
+    )
+
+
+def adjacent(columns: Matrix, i: int, j: int) -> Scalar:
+    """Whether cable j is the next one counter-clockwise from cable i, less than pi away."""
+    ahead = cross(columns[i], columns[j]) > singular_below()
+    between = [
+        ca.logic_and(cross(columns[i], columns[k]) > 0, cross(columns[k], columns[j]) > 0)
+        for k in range(len(columns))
+        if k not in (i, j)
+    ]
+    return ca.logic_and(ahead, ca.logic_not(any_of(between)))
+
+
+def maximum_tension(machine: Machine) -> Sweep:
+    """The exact one: the feasible wrenches of tensions in [0, T] grow with T."""
+    structure, force = arguments.structure(machine), arguments.force(machine)
+    size = force.scalars()[0]
+    state = (scalar_output("radius", "1", ca.SX(FAR)), scalar_output("size", "N", size))
+
+    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
+        slope, radius = facet.slope(machine.space), known["radius"].scalars()[0]
+        counts = ca.logic_and(facet.exists(), slope > EPSILON)
+        return {"radius": [where(counts, ca.fmin(radius, facet.reach() / slope), radius)]}
+
+    def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        radius = known["radius"].scalars()[0]
+        reached = radius > singular_below()
+        most = where(reached, known["size"].scalars()[0] / radius, 0)
+        meaning = "no tension is enough for every direction; 0"
+        outside = Verdict(ca.logic_not(reached), Status.INFEASIBLE, meaning)
+        return (scalar_output("tension", "N", most),), (outside,)
+
+    moment = " and no moment" if machine.is_rigid else ""
+    sweep = FacetSweep(machine, structure, (force,), state, visit, finish)
+    return sweep.named(
+        "maximum_tension",
+        f"Least T_max with which every force of a size{moment} is feasible, T_min = 0; exact for"
+        " any number of cables",
+        "facets of {S T}, in place of Brau eqs 17 and 23",
+    )
+
+
+def functions(machine: Machine) -> list[ModelFunction]:
+    """Everything this topic computes in one pass."""
+    result = [kernel_method(machine) if machine.redundancy == 1 else kernel_method_plane(machine)]
+    if machine.dof == 2 and len(machine.cables) <= WRITTEN_OUT:
+        result.append(reduced_pairs(machine))
+    if machine.dof == 2 and len(machine.cables) <= 4:
+        result.append(maximum_tension_adjacent(machine))
+    return result
+
+
+def composites(machine: Machine) -> list[Retry | Repeat | Sweep | Composition]:
+    """Everything that visits subsets of the cables."""
+    result: list[Retry | Repeat | Sweep | Composition] = []
+    if machine.dof > 2 or len(machine.cables) > WRITTEN_OUT:
+        result.append(reduced_sweep(machine))
+    return [*result, maximum_tension_eq12(machine), maximum_tension(machine)]

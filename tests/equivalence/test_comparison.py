@@ -1,0 +1,259 @@
+"""Methods to compare with against brute force: every set tried in NumPy, linear programs, hulls."""
+
+from itertools import combinations, product
+from pathlib import Path
+
+import numpy as np
+import pytest
+import quadprog
+from built import answered, built
+from kinds import Array, machine_of, structures
+from scipy.optimize import linprog
+from scipy.spatial import ConvexHull
+
+from codegen.bind import Generated
+from codegen.composite import Item
+from codegen.generate import composed, lowered
+from model.kind import KINDS
+from model.machine import Machine
+from model.symbolic import comparison
+from model.symbolic.function import Status
+
+#: Every kind with one redundant cable, and with more; planar ones on either side of what is
+#: written out.
+MACHINES = [
+    ("planar-point", 3),
+    ("planar-point", 4),
+    ("planar-point", 6),
+    ("planar-point", 7),
+    ("planar-rigid", 4),
+    ("planar-rigid", 5),
+    ("spatial-point", 4),
+    ("spatial-point", 5),
+    ("spatial-rigid", 7),
+    ("spatial-rigid", 8),
+]
+POINTS = 60
+
+
+def items(machine: Machine) -> list[Item]:
+    """All functions of the topic."""
+    known = {f.name: lowered(f) for f in comparison.functions(machine)}
+    made = [composed(composite, {**known}) for composite in comparison.composites(machine)]
+    return [*known.values(), *made]
+
+
+def of(*chosen: tuple[str, int]) -> pytest.MarkDecorator:
+    """Runs a test for some machines."""
+    names = [f"{kind}-{count}" for kind, count in chosen]
+    return pytest.mark.parametrize("machine", chosen, ids=names, indirect=True, scope="module")
+
+
+@pytest.fixture(scope="module", params=MACHINES, ids=lambda pair: f"{pair[0]}-{pair[1]}")
+def machine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Machine:
+    kind, count = request.param
+    return machine_of(kind, count, tmp_path_factory.mktemp("machines"))
+
+
+@pytest.fixture(scope="module")
+def generated(machine: Machine) -> Generated:
+    return built(machine, items(machine), "double")
+
+
+def weighed(machine: Machine, rows: Array) -> Array:
+    """Rows of wrenches (..., d, k) with moments over the lever."""
+    weights = np.ones(machine.dof)
+    weights[machine.space if machine.is_rigid else machine.dof :] = 1 / machine.lever
+    return np.asarray(weights[:, None] * rows)
+
+
+def problems(machine: Machine, seed: int = 1) -> tuple[Array, Array]:
+    """Structure matrices, half with cables all around, some with none; wrenches, some of no sign."""
+    given = structures(machine, 40 * POINTS, seed)
+    kernel = np.linalg.svd(given)[2][:, -1]
+    around = np.all(kernel * kernel[:, :1] > 0, axis=1)
+    given = np.concatenate([given[around][: POINTS // 2], given[~around][: POINTS // 2]])
+    given[-10:] *= np.sign(given[-10:, :1])
+    random = np.random.default_rng(seed)
+    tension = random.uniform(0, 12, (len(given), len(machine.cables)))
+    wrench = np.einsum("kdn,kn->kd", given, tension)
+    wrench[::3] *= random.choice([-1, 1], wrench[::3].shape)
+    return given, wrench
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_the_c_is_the_evaluation_to_the_bit(machine: Machine, precision: str) -> None:
+    given, wrench = problems(machine)
+    force = np.linspace(0.1, 20.0, len(given))
+    made = items(machine)
+    library = built(machine, made, precision)
+    for item in made:
+        by_name = {"structure": given, "wrench": wrench, "force": force}
+        answered(item, library, [by_name[port.name] for port in item.function.inputs])
+
+
+def reduced_by_trial(machine: Machine, matrix: Array, wrench: Array) -> tuple[float, list[Array]]:
+    """Lowest sum of tensions, and the tensions of all sets that have it."""
+    low, least = machine.tension.min, np.inf
+    best: list[Array] = []
+    for chosen in combinations(range(matrix.shape[1]), machine.dof):
+        tension = np.full(matrix.shape[1], low)
+        others = np.setdiff1d(np.arange(matrix.shape[1]), chosen)
+        try:
+            inner = np.linalg.solve(matrix[:, chosen], wrench - low * matrix[:, others].sum(axis=1))
+        except np.linalg.LinAlgError:
+            continue
+        tension[list(chosen)] = inner
+        if np.all(inner >= low) and tension.sum() < least + 1e-9:
+            best = [tension, *(best if tension.sum() > least - 1e-9 else [])]
+            least = min(least, tension.sum())
+    return least, best
+
+
+def test_reduced_matrices_give_the_lowest_sum_of_all_sets(
+    machine: Machine, generated: Generated
+) -> None:
+    given, wrench = problems(machine)
+    answer = generated.reduced_matrices(given, wrench)
+    for matrix, wanted, tension, status in zip(given, wrench, answer, answer.status, strict=True):
+        least, best = reduced_by_trial(machine, matrix, wanted)
+        assert status == (Status.OK if best else Status.INFEASIBLE)
+        if best:
+            assert min(np.max(np.abs(tension - other)) for other in best) < 1e-9 * least
+        else:
+            assert np.all(tension == machine.tension.min)
+    assert {Status.OK, Status.INFEASIBLE} == set(answer.status)
+
+
+def test_the_lowest_sum_is_that_of_the_linear_program(
+    machine: Machine, generated: Generated
+) -> None:
+    given, wrench = problems(machine)
+    answer = generated.reduced_matrices(given, wrench)
+    cost = np.ones(len(machine.cables))
+    for matrix, wanted, tension, status in zip(given, wrench, answer, answer.status, strict=True):
+        scaled = weighed(machine, np.column_stack([matrix, wanted]))
+        program = linprog(
+            cost, A_eq=scaled[:, :-1], b_eq=scaled[:, -1], bounds=(machine.tension.min, None)
+        )
+        assert program.success == (status == Status.OK)
+        if program.fun is not None:
+            assert abs(tension.sum() - program.fun) < 1e-7 * program.fun
+
+
+@of(*((kind, count) for kind, count in MACHINES if count == KINDS[kind].dof + 1))
+def test_the_kernel_method_lifts_the_least_tension_to_its_bound(
+    machine: Machine, generated: Generated
+) -> None:
+    given, wrench = problems(machine)
+    answer = generated.kernel_method(given, wrench)
+    low = machine.tension.min
+    for matrix, wanted, tension, status in zip(given, wrench, answer, answer.status, strict=True):
+        scaled = weighed(machine, np.column_stack([matrix, wanted]))
+        kernel = np.linalg.svd(scaled[:, :-1])[2][-1]
+        cooperative = np.all(kernel * kernel[0] > 0)
+        assert status == (Status.OK if cooperative else Status.INFEASIBLE)
+        start = np.linalg.pinv(scaled[:, :-1]) @ scaled[:, -1]
+        kernel *= np.sign(kernel[0])
+        wanted_tension = start + np.max((low - start) / kernel) * kernel if cooperative else low
+        scale = np.max(np.abs(start)) / np.min(np.abs(kernel))
+        assert np.max(np.abs(tension - wanted_tension)) < 1e-12 * scale
+        if cooperative:
+            assert abs(tension.min() - low) < 1e-9
+
+
+@of(*((kind, count) for kind, count in MACHINES if count > KINDS[kind].dof + 1))
+def test_the_kernel_method_is_the_quadratic_program(machine: Machine, generated: Generated) -> None:
+    given, wrench = problems(machine)
+    answer = generated.kernel_method(given, wrench)
+    count = len(machine.cables)
+    for matrix, wanted, tension, status in zip(given, wrench, answer, answer.status, strict=True):
+        scaled = weighed(machine, np.column_stack([matrix, wanted]))
+        rows = np.vstack([scaled[:, :-1], np.eye(count)]).T
+        bounds = np.append(scaled[:, -1], np.full(count, machine.tension.min))
+        try:
+            best = quadprog.solve_qp(np.eye(count), np.zeros(count), rows, bounds, machine.dof)[0]
+        except ValueError:
+            assert status == Status.INFEASIBLE
+            continue
+        assert status == Status.OK
+        assert np.max(np.abs(tension - best)) < 1e-8 * np.max(best)
+
+
+def test_equation_12_is_the_largest_row_of_the_inverses(
+    machine: Machine, generated: Generated
+) -> None:
+    given, _ = problems(machine)
+    force = 3.0
+    answer = generated.maximum_tension_eq12(given, force)
+    forces = machine.space if machine.is_rigid else machine.dof
+    for matrix, tension in zip(given, answer, strict=True):
+        wanted = np.zeros(len(tension))
+        for chosen in combinations(range(len(tension)), machine.dof):
+            inverse = np.linalg.inv(matrix[:, chosen])
+            row = force * np.linalg.norm(inverse[:, :forces], axis=1)
+            wanted[list(chosen)] = np.maximum(wanted[list(chosen)], row)
+        assert np.allclose(tension, wanted, rtol=1e-8)
+
+
+def hull_radius(machine: Machine, matrix: Array) -> float:
+    """Largest force without a moment that tensions in [0, 1] exert in every direction."""
+    vertices = np.array(list(product((0.0, 1.0), repeat=matrix.shape[1])))
+    facets = ConvexHull(vertices @ weighed(machine, matrix).T).equations
+    forces = machine.space if machine.is_rigid else machine.dof
+    slope = np.linalg.norm(facets[:, :forces], axis=1)
+    return float(np.min(-facets[:, -1][slope > 1e-9] / slope[slope > 1e-9]))
+
+
+def test_the_exact_maximum_tension_is_that_of_the_convex_hull(
+    machine: Machine, generated: Generated
+) -> None:
+    given = problems(machine)[0][:: machine.dof - 1]
+    answer = generated.maximum_tension(given, 3.0)
+    for matrix, tension, status in zip(given, answer, answer.status, strict=True):
+        radius = hull_radius(machine, matrix)
+        assert status == (Status.OK if radius > 1e-9 else Status.INFEASIBLE)
+        assert abs(tension - 3.0 / radius) < 1e-8 * tension if radius > 1e-9 else tension == 0
+    assert {Status.OK, Status.INFEASIBLE} == set(answer.status)
+
+
+@of(("planar-point", 3), ("planar-point", 4))
+def test_adjacent_cables_tell_the_exact_maximum_for_three_and_four(
+    machine: Machine, generated: Generated
+) -> None:
+    given, _ = problems(machine)
+    adjacent = generated.maximum_tension_adjacent(given, 3.0)
+    exact = generated.maximum_tension(given, 3.0)
+    assert np.array_equal(adjacent.status, exact.status)
+    assert np.allclose(np.max(adjacent, axis=1), exact, rtol=1e-9)
+    if len(machine.cables) == 3:
+        fine = exact.status == Status.OK
+        eq14 = generated.maximum_tension_eq12(given, 3.0)
+        assert np.allclose(np.asarray(eq14)[fine], np.asarray(adjacent)[fine], rtol=1e-9)
+
+
+def test_the_second_largest_maximum_of_equation_17_is_not_exact(tmp_path: Path) -> None:
+    """In a square of cables, at the two places that show what is wrong with eq. 17.
+
+    Off the centre the second largest value, which the paper takes, is 1.389; and beside a diagonal
+    opposite cables make the largest one grow without bounds.
+    """
+    square = machine_of("planar-point", 4, tmp_path)
+    generated = built(square, items(square), "double")
+    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
+    for place, exact, printed in (((0.8, 0.1), 2.5769, 2.5769), ((0.5, 0.501), 1.1189312, 1000.0)):
+        arms = corners - np.array(place)
+        matrix = (arms / np.linalg.norm(arms, axis=1, keepdims=True)).T
+        assert generated.maximum_tension(matrix, 1.0) == pytest.approx(exact, rel=1e-4)
+        adjacent = np.max(generated.maximum_tension_adjacent(matrix, 1.0))
+        assert adjacent == pytest.approx(exact, rel=1e-4)
+        assert np.max(generated.maximum_tension_eq12(matrix, 1.0)) > 0.999 * printed
+
+
+def test_bounds_below_are_not_bounds_above(machine: Machine, generated: Generated) -> None:
+    """The negative control of the comparison: these methods exceed T_max without a word."""
+    given, wrench = problems(machine)
+    for method in (generated.reduced_matrices, generated.kernel_method):
+        answer = method(given, 10 * wrench)
+        fine = answer.status == Status.OK
+        assert np.any(np.asarray(answer)[fine] > machine.tension.max)
