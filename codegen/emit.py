@@ -98,7 +98,7 @@ def sweep_body(item: Enumeration) -> list[str]:
     """Begin, visit every subset in the table, finish."""
     subsets, function = item.sweep.subsets, item.function
     begin, visit, finish = (call(routine.function, {}) for routine in item.parts())
-    rows = ", ".join(f"{{{', '.join(map(str, subset))}}}" for subset in subsets)
+    rows = ", ".join(f"{{{','.join(map(str, subset))}}}" for subset in subsets)
     table = f"subsets[{len(subsets)}][{len(subsets[0])}]"
     lines = wrap(f"    static const unsigned char {table} = {{{rows}}};", "    ")
     lines += [f"    real_t {entry.name}[{entry.size}];" for entry in item.state]

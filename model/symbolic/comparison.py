@@ -326,7 +326,7 @@ def maximum_tension(machine: Machine) -> Sweep:
     def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
         slope, radius = facet.slope(machine.space), known["radius"].scalars()[0]
         counts = ca.logic_and(facet.exists(), slope > EPSILON)
-        return {"radius": [where(counts, ca.fmin(radius, facet.reach() / slope), radius)]}
+        return {"radius": [where(counts, ca.fmin(radius, facet.gap(0, 1) / slope), radius)]}
 
     def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
         radius = known["radius"].scalars()[0]

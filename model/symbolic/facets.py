@@ -48,11 +48,10 @@ class Facet:
         mean, half = (low + high) / 2, (high - low) / 2
         return mean * total(self.heights), half * total([ca.fabs(x) for x in self.heights])
 
-    def reach(self) -> Scalar:
-        """How far the set reaches along the normal, the shorter way, for tensions in [0, 1]."""
-        upwards = total([ca.fmax(x, 0) for x in self.heights])
-        downwards = total([ca.fmax(-x, 0) for x in self.heights])
-        return ca.fmin(upwards, downwards)
+    def gap(self, low: float, high: float) -> Scalar:
+        """Distance of zero from the nearer facet for tensions in [low, high]; negative outside."""
+        centre, half = self.slab(low, high)
+        return half - ca.fabs(centre)
 
     def slope(self, space: int) -> Scalar:
         """Length of the normal's part along forces: 1 where there are no moments."""

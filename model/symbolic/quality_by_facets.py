@@ -41,8 +41,7 @@ def isotropic_sweep(machine: Machine) -> Sweep:
     state = (scalar_output("margin", "N", ca.SX(FAR)), scalar_output("radius", "N", ca.SX(FAR)))
 
     def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
-        centre, half = facet.slab(low, high)
-        gap, slope = half - ca.fabs(centre), facet.slope(machine.space)
+        gap, slope = facet.gap(low, high), facet.slope(machine.space)
         margin, radius = (known[name].scalars()[0] for name in ("margin", "radius"))
         there = facet.exists()
         counts = ca.logic_and(there, slope > NO_FORCE)
@@ -69,9 +68,8 @@ def balance_sweep(machine: Machine) -> Sweep:
     state = (scalar_output("margin", "N", ca.SX(FAR)),)
 
     def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
-        centre, half = facet.slab(low, high)
         margin = known["margin"].scalars()[0]
-        return {"margin": [where(facet.exists(), ca.fmin(margin, half - ca.fabs(centre)), margin)]}
+        return {"margin": [where(facet.exists(), ca.fmin(margin, facet.gap(low, high)), margin)]}
 
     def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
         balanced = known["margin"].scalars()[0] >= 0

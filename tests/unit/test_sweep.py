@@ -98,7 +98,7 @@ def test_a_shorter_table_finds_less(stock: Machine) -> None:
 def test_the_table_is_in_the_c_and_the_number_of_visits_in_its_comment(stock: Machine) -> None:
     folder = built(stock, [item()], "double").folder
     code = (folder / "tb_tension.c").read_text()
-    assert "static const unsigned char subsets[10][2] = {{0, 1}, {0, 2}," in code
+    assert "static const unsigned char subsets[10][2] = {{0,1}, {0,2}," in code
     assert "for (int k = 0; k < 10; k++)" in code
     header = (folder / "tb_tension.h").read_text()
     assert "Visits 10 subsets of the cables." in header
