@@ -27,8 +27,18 @@ from model.symbolic.function import (
 )
 from model.symbolic.linear import cross, dot, factorise, subtract, transpose
 from model.symbolic.null_space import factored
-from model.symbolic.polytope import Line
-from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, any_of, largest, total, where
+from model.symbolic.polytope import Line, knock_out
+from model.symbolic.scalar import (
+    Matrix,
+    Scalar,
+    Vector,
+    all_of,
+    any_of,
+    largest,
+    smallest,
+    total,
+    where,
+)
 from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
 from model.symbolic.tension import (
     KKT_TOLERANCE,
@@ -144,15 +154,15 @@ def reduced_pairs(machine: Machine) -> ModelFunction:
     columns, low = transpose(structure.rows()), machine.tension.min
     rest = beyond_least(machine, structure, wrench)
     heights = [cross(column, rest) for column in columns]
-    least, best = ca.SX(FAR), [ca.SX(0)] * len(columns)
+    sums, tried = [], []
     for i, j in combinations(range(len(columns)), 2):
         determinant = cross(columns[i], columns[j])
-        first, second = -heights[j] / determinant, heights[i] / determinant
-        qualifies = better([first, second], [determinant], least, low * len(columns))
-        chosen = {i: first, j: second}
-        best = [where(qualifies, chosen.get(k, 0), value) for k, value in enumerate(best)]
-        least = where(qualifies, first + second, least)
-    tension = [low + ca.fmax(value, 0) for value in best]
+        above = {i: -heights[j] / determinant, j: heights[i] / determinant}
+        sums.append(sum_if_qualified([*above.values()], [determinant], low * len(columns)))
+        tried.append([above.get(k, ca.SX(0)) for k in range(len(columns))])
+    least = smallest(sums)
+    best = knock_out([-value for value in sums], tried)
+    tension = [where(least < FAR, low + ca.fmax(value, 0), low) for value in best]
     return ModelFunction(
         "reduced_matrices",
         REDUCED_SUMMARY,
@@ -163,19 +173,16 @@ def reduced_pairs(machine: Machine) -> ModelFunction:
     )
 
 
-def better(above: Vector, pivots: Vector, least: Scalar, held: float) -> Scalar:
-    """Whether a reduced system is regular, its tensions reach T_min, and their sum is the least.
+def sum_if_qualified(above: Vector, pivots: Vector, held: float) -> Scalar:
+    """Sum of what the tensions of a reduced system have above T_min; `FAR` unless it qualifies.
 
-    `above` is what its tensions have above T_min, and `held` is T_min of all cables.
+    It must be regular, and no tension below T_min by more than rounding. `held` is T_min of all
+    cables. One number decides: the least of what must not be negative.
     """
-    slack = BELOW * EPSILON * (total([ca.fabs(value) for value in above]) + held)
-    return all_of(
-        [
-            *(ca.fabs(pivot) > singular_below() for pivot in pivots),
-            *(value >= -slack for value in above),
-            total(above) < least,
-        ]
-    )
+    whole = total(above)
+    slack = BELOW * EPSILON * (ca.fabs(whole) + held)
+    regular = smallest([ca.fabs(pivot) for pivot in pivots]) - singular_below()
+    return where(ca.fmin(smallest(above) + slack, regular) >= 0, whole, FAR)
 
 
 def reduced_sweep(machine: Machine) -> Sweep:
@@ -195,8 +202,9 @@ def reduced_sweep(machine: Machine) -> Sweep:
     def visit(subset: Subset, known: Ports) -> dict[str, Vector]:
         above, pivots = solved(subset.columns.rows(), known["rest"].scalars())
         least = known["least"].scalars()[0]
-        qualifies = better(above, pivots, least, low * count)
-        taken = {"best": above, "cables": subset.numbers.scalars(), "least": [total(above)]}
+        found = sum_if_qualified(above, pivots, low * count)
+        qualifies = found < least
+        taken = {"best": above, "cables": subset.numbers.scalars(), "least": [found]}
         return {
             name: [
                 where(qualifies, new, old)

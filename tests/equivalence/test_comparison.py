@@ -68,7 +68,7 @@ def weighed(machine: Machine, rows: Array) -> Array:
 
 
 def problems(machine: Machine, seed: int = 1) -> tuple[Array, Array]:
-    """Structure matrices, half with cables all around, some with none; wrenches, some of no sign."""
+    """Structure matrices, half with cables all around, some on one side; wrenches of any sign."""
     given = structures(machine, 40 * POINTS, seed)
     kernel = np.linalg.svd(given)[2][:, -1]
     around = np.all(kernel * kernel[:, :1] > 0, axis=1)
