@@ -92,3 +92,10 @@ def moments(arms: Array, forces: Array) -> Array:
         return np.cross(arms, forces)
     turned = arms[..., 0] * forces[..., 1] - arms[..., 1] * forces[..., 0]
     return np.asarray(turned[..., None])
+
+
+def weighed(machine: Machine, rows: Array) -> Array:
+    """Rows of wrenches (..., d, k) with moments over the lever."""
+    weights = np.ones(machine.dof)
+    weights[machine.space if machine.is_rigid else machine.dof :] = 1 / machine.lever
+    return np.asarray(weights[:, None] * rows)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import quadprog
 from built import answered, built
-from kinds import Array, machine_of, structures
+from kinds import Array, machine_of, structures, weighed
 from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
@@ -58,13 +58,6 @@ def machine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 @pytest.fixture(scope="module")
 def generated(machine: Machine) -> Generated:
     return built(machine, items(machine), "double")
-
-
-def weighed(machine: Machine, rows: Array) -> Array:
-    """Rows of wrenches (..., d, k) with moments over the lever."""
-    weights = np.ones(machine.dof)
-    weights[machine.space if machine.is_rigid else machine.dof :] = 1 / machine.lever
-    return np.asarray(weights[:, None] * rows)
 
 
 def problems(machine: Machine, seed: int = 1) -> tuple[Array, Array]:
