@@ -5,7 +5,7 @@ import json
 import os
 import shutil
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -160,11 +160,23 @@ def c_functions(
     model: Model, routines: list[Item], accuracies: dict[str, Accuracy]
 ) -> list[CFunction]:
     """The C of one topic, with its aliases last."""
-    functions = [emit(routine, accuracies[routine.function.name]) for routine in routines]
+    functions = once([emit(routine, accuracies[routine.function.name]) for routine in routines])
     by_name = {routine.function.name: routine for routine in routines}
     for alias, target in model.aliases().items():
         if target in by_name:
             functions.append(emit_alias(alias, by_name[target]))
+    return functions
+
+
+def once(functions: list[CFunction]) -> list[CFunction]:
+    """The functions of one file; what several of them call alone comes with the first of these."""
+    printed: dict[str, CFunction] = {}
+    for number, function in enumerate(functions):
+        fresh = tuple(part for part in function.parts if printed.get(part.name) != part)
+        if clash := printed.keys() & {part.name for part in fresh}:
+            raise ValueError(f"{min(clash)} stands for two functions")
+        printed |= {part.name: part for part in fresh}
+        functions[number] = replace(function, parts=fresh)
     return functions
 
 

@@ -1,5 +1,7 @@
 """Functions made of calls in sequence: locals, faults, calls that are not always made."""
 
+from dataclasses import replace
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -116,6 +118,28 @@ def test_a_composition_may_have_a_sweep_of_its_own(stock: Machine) -> None:
     matrices = np.random.default_rng(5).uniform(-1.0, 3.1, (100, ROWS, COLUMNS))
     answered(doubled, built(stock, [doubled], "float"), [matrices])
     assert most_visits(doubled) == 10
+
+
+def test_two_compositions_may_share_a_part(stock: Machine) -> None:
+    called, fourths = item()
+    again = replace(composition(), name="again")
+    both: list[Item] = [called, fourths, chain(again, {"roots": called}, lowered)]
+    library = built(stock, both, "double")
+    assert np.array_equal(library.again(pairs()), library.fourths(pairs()))
+    code = (library.folder / "tb_tension.c").read_text()
+    assert code.count("static tb_status tb_limit(") == 1
+
+
+def test_two_parts_of_one_name_are_refused(stock: Machine) -> None:
+    called, fourths = item()
+    limit = composition().calls[1].function
+    assert isinstance(limit, ModelFunction)
+    other = Call(replace(limit, verdicts=(Verdict(ca.SX(0), Status.SINGULAR, "never"),)))
+    whole = replace(composition(), name="again")
+    calls = (whole.calls[0], other, *whole.calls[2:])
+    again = chain(replace(whole, calls=calls), {"roots": called}, lowered)
+    with pytest.raises(ValueError, match="tb_limit stands for two functions"):
+        built(stock, [called, fourths, again], "double")
 
 
 def test_all_calls_cost_and_count() -> None:
