@@ -22,6 +22,7 @@ from model.symbolic.function import (
     Status,
     Verdict,
     matrix_output,
+    not_all_above,
     scalar_output,
     vector_output,
 )
@@ -58,6 +59,8 @@ REDUCED = "Brau eqs 6, 7"
 BELOW = 16.0
 #: Kernel entries are positive above this many EPSILON of a unit vector.
 COOPERATIVE = 64.0
+#: Cables pull along a direction above so many EPSILON of their directions.
+PARALLEL = 64.0
 #: Pairs of so many planar cables are written out; more are visited.
 WRITTEN_OUT = 6
 
@@ -67,7 +70,7 @@ def singular_below() -> Scalar:
     return ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
 
 
-def kernel_method(machine: Machine) -> ModelFunction:
+def kernel_line(machine: Machine) -> ModelFunction:
     """T = S+ W + alpha K for one redundant cable: alpha brings the least tension to T_min."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
@@ -83,7 +86,7 @@ def kernel_method(machine: Machine) -> ModelFunction:
         for x, k in zip(space.start, kernel, strict=True)
     ]
     return ModelFunction(
-        "kernel_method",
+        "kernel_tension",
         "Tensions by the kernel of S: the least of them is T_min; T_max is not looked at",
         KERNEL,
         (structure, wrench),
@@ -99,7 +102,7 @@ def kernel_method(machine: Machine) -> ModelFunction:
     )
 
 
-def kernel_method_plane(machine: Machine) -> ModelFunction:
+def kernel_program(machine: Machine) -> ModelFunction:
     """The same with more redundant cables, where the paper calls for a quadratic program."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
@@ -111,7 +114,7 @@ def kernel_method_plane(machine: Machine) -> ModelFunction:
     unsolved = ca.logic_not(solution.kkt_residual <= ca.fmin(limit, most))
     tension = [where(unsolved, low, value) for value in solution.tension]
     return ModelFunction(
-        "kernel_method",
+        "kernel_tension",
         "Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at",
         f"{KERNEL}, a quadratic program for more than one redundant cable",
         (structure, wrench),
@@ -164,7 +167,7 @@ def reduced_pairs(machine: Machine) -> ModelFunction:
     best = knock_out([-value for value in sums], tried)
     tension = [where(least < FAR, low + ca.fmax(value, 0), low) for value in best]
     return ModelFunction(
-        "reduced_matrices",
+        "reduced_matrix_tension",
         REDUCED_SUMMARY,
         REDUCED,
         (structure, wrench),
@@ -225,7 +228,7 @@ def reduced_sweep(machine: Machine) -> Sweep:
 
     matrix = WEIGHED if machine.is_rigid else structure.name
     scheme = Scheme((structure, wrench), matrix, dof, state, visit, finish)
-    return make_sweep("reduced_matrices", REDUCED_SUMMARY, REDUCED, scheme)
+    return make_sweep("reduced_matrix_tension", REDUCED_SUMMARY, REDUCED, scheme)
 
 
 def solved(matrix: Matrix, right: Vector) -> tuple[Vector, Vector]:
@@ -244,123 +247,142 @@ def solved(matrix: Matrix, right: Vector) -> tuple[Vector, Vector]:
     return factors.least_norm(right), factors.pivots()
 
 
-def maximum_tension_eq12(machine: Machine) -> Sweep:
+def largest_tensions_eq12(machine: Machine) -> Sweep:
     """Eq. 12: in set S_k cable i bears at most F |Delta_i| / |Delta|, largest over the sets.
 
     With the unit normal m of the d - 1 other cables of a set that is F / |m . s_i|, or F |m_F| over
-    it for the part of m along forces: one facet tells it for all cables that complete it to a set.
+    it for the part m_F along forces: a facet tells it for all cables that complete it to a set.
     """
     structure, force = arguments.structure(machine), arguments.force(machine)
-    count = len(machine.cables)
     size = force.scalars()[0]
-    state = (vector_output("most", "N", [ca.SX(0)] * count), scalar_output("size", "N", size))
+    state = (
+        vector_output("most", "1", [ca.SX(0)] * len(machine.cables)),
+        scalar_output("least", "1", ca.SX(FAR)),
+        scalar_output("size", "N", size),
+    )
 
-    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
-        regular, slope = facet.exists(singular_below()), facet.slope(machine.space)
-        ratios = [
-            where(all_of([regular, ca.fabs(height) > singular_below()]), slope / ca.fabs(height), 0)
-            for height in facet.heights
+    def visit(facet: Facet, subset: Subset, known: Ports) -> dict[str, Vector]:
+        slope, regular = facet.slope(machine.space), facet.exists(singular_below())
+        heights = [
+            where(subset.holds(cable), FAR, ca.fabs(height))
+            for cable, height in enumerate(facet.heights)
         ]
-        pairs = zip(known["most"].scalars(), ratios, strict=True)
-        return {"most": [ca.fmax(old, new) for old, new in pairs]}
+        pairs = zip(known["most"].scalars(), heights, strict=True)
+        lowest = where(regular, smallest(heights), 0)
+        return {
+            "most": [ca.fmax(old, slope / height) for old, height in pairs],
+            "least": [ca.fmin(known["least"].scalars()[0], lowest)],
+        }
 
     def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
         tension = [known["size"].scalars()[0] * ratio for ratio in known["most"].scalars()]
-        return (vector_output("tension", "N", tension),), ()
+        meaning = "d of the cables are dependent, and the bound has no limit"
+        singular = not_all_above([known["least"].scalars()[0]], singular_below(), meaning)
+        return (vector_output("tension", "N", tension),), (singular,)
 
     sweep = FacetSweep(machine, structure, (force,), state, visit, finish)
     return sweep.named(
-        "maximum_tension_eq12",
-        "Largest tension of every cable over all directions of a force and all regular sets of d"
-        " cables that may bear it, T_min = 0; tight for d + 1 cables with a cooperative kernel",
+        "largest_tensions_eq12",
+        f"Upper bound of every tension over all directions of a force{without_moment(machine)} and"
+        " all sets of d cables, T_min = 0: tight for d + 1 cables all around, else far too high",
         "Brau eq. 12 with |Delta|; 14 for 3 planar cables, 18 and 19 for 4 in space",
     )
 
 
-def maximum_tension_adjacent(machine: Machine) -> ModelFunction:
-    """Eq. 17 corrected: a force between two adjacent cables is borne by these."""
+def without_moment(machine: Machine) -> str:
+    """What a force comes without, in words."""
+    return " without a moment" if machine.is_rigid else ""
+
+
+def largest_tensions_eq17(machine: Machine) -> ModelFunction:
+    """Eqs 14 and 17 corrected: a force between two adjacent cables is borne by these.
+
+    Where they are less than a right angle apart, a force along one of them is its worst.
+    """
     structure, force = arguments.structure(machine), arguments.force(machine)
     columns = transpose(structure.rows())
-    count = len(columns)
-    ratios = [ca.SX(0)] * count
-    enclosed = []
-    for i in range(count):
-        following = []
-        for j in range(count):
-            if i != j:
-                sine = cross(columns[i], columns[j])
-                next_to = adjacent(columns, i, j)
-                obtuse = dot(columns[i], columns[j]) < 0
-                ratio = where(next_to, where(obtuse, 1 / sine, 1), 0)
-                ratios[i], ratios[j] = ca.fmax(ratios[i], ratio), ca.fmax(ratios[j], ratio)
-                following.append(next_to)
-        enclosed.append(any_of(following))
-    inside = all_of(enclosed)
-    size = force.scalars()[0]
+    ratios, enclosed = [ca.SX(0)] * len(columns), []
+    for i in range(len(columns)):
+        others = [j for j in range(len(columns)) if j != i]
+        following = {j: adjacent(columns, i, j) for j in others}
+        for j, next_to in following.items():
+            obtuse = dot(columns[i], columns[j]) < 0
+            ratio = where(next_to, where(obtuse, 1 / cross(columns[i], columns[j]), 1), 0)
+            ratios[i], ratios[j] = ca.fmax(ratios[i], ratio), ca.fmax(ratios[j], ratio)
+        enclosed.append(any_of([*following.values()]))
+    inside, size = all_of(enclosed), force.scalars()[0]
     return ModelFunction(
-        "maximum_tension_adjacent",
+        "largest_tensions_eq17",
         "Largest tension of every cable over all directions of a force that the two adjacent cables"
-        " bear, T_min = 0; exact",
-        "Brau eq. 17 with adjacent cables only",
+        " bear, T_min = 0",
+        "Brau eqs 14, 17 with adjacent cables only",
         (structure, force),
         (vector_output("tension", "N", [where(inside, size * ratio, 0) for ratio in ratios]),),
-        (
-            Verdict(
-                ca.logic_not(inside),
-                Status.INFEASIBLE,
-                "cables leave half the plane, or nearly, without any; 0 in every cable",
-            ),
-        ),
+        (Verdict(ca.logic_not(inside), Status.INFEASIBLE, "half the plane has no cable; 0"),),
     )
 
 
 def adjacent(columns: Matrix, i: int, j: int) -> Scalar:
     """Whether cable j is the next one counter-clockwise from cable i, less than pi away."""
-    ahead = cross(columns[i], columns[j]) > singular_below()
-    between = [
-        ca.logic_and(cross(columns[i], columns[k]) > 0, cross(columns[k], columns[j]) > 0)
-        for k in range(len(columns))
-        if k not in (i, j)
-    ]
-    return ca.logic_and(ahead, ca.logic_not(any_of(between)))
+
+    def ahead(first: int, second: int) -> Scalar:
+        return cross(columns[first], columns[second]) > PARALLEL * EPSILON
+
+    others = [k for k in range(len(columns)) if k not in (i, j)]
+    between = any_of([ca.logic_and(ahead(i, k), ahead(k, j)) for k in others])
+    return ca.logic_and(ahead(i, j), ca.logic_not(between))
 
 
-def maximum_tension(machine: Machine) -> Sweep:
-    """The exact one: the feasible wrenches of tensions in [0, T] grow with T."""
+def largest_tension(machine: Machine) -> Sweep:
+    """The exact one: all facets must be as far out as the force reaches along their normals.
+
+    With P and Q the sums of the positive and the negative m . s_i, T_max P - T_min Q >= F |m_F|.
+    """
     structure, force = arguments.structure(machine), arguments.force(machine)
-    size = force.scalars()[0]
-    state = (scalar_output("radius", "1", ca.SX(FAR)), scalar_output("size", "N", size))
+    low = machine.tension.min
+    state = (
+        scalar_output("most", "N", ca.SX(low)),
+        scalar_output("size", "N", force.scalars()[0]),
+    )
 
-    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
-        slope, radius = facet.slope(machine.space), known["radius"].scalars()[0]
-        counts = ca.logic_and(facet.exists(), slope > EPSILON)
-        return {"radius": [where(counts, ca.fmin(radius, facet.gap(0, 1) / slope), radius)]}
+    def visit(facet: Facet, _: Subset, known: Ports) -> dict[str, Vector]:
+        upwards, downwards = facet.sides()
+        wanted = known["size"].scalars()[0] * facet.slope(machine.space)
+        bound = ca.fmax(
+            bound_of(upwards, wanted + low * downwards), bound_of(downwards, wanted + low * upwards)
+        )
+        most = known["most"].scalars()[0]
+        return {"most": [where(facet.exists(), ca.fmax(most, bound), most)]}
 
     def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
-        radius = known["radius"].scalars()[0]
-        reached = radius > singular_below()
-        most = where(reached, known["size"].scalars()[0] / radius, 0)
+        most = known["most"].scalars()[0]
+        never = ca.logic_not(most < FAR)
         meaning = "no tension is enough for every direction; 0"
-        outside = Verdict(ca.logic_not(reached), Status.INFEASIBLE, meaning)
-        return (scalar_output("tension", "N", most),), (outside,)
+        verdict = Verdict(never, Status.INFEASIBLE, meaning)
+        return (scalar_output("tension", "N", where(never, 0, most)),), (verdict,)
 
-    moment = " and no moment" if machine.is_rigid else ""
     sweep = FacetSweep(machine, structure, (force,), state, visit, finish)
     return sweep.named(
-        "maximum_tension",
-        f"Least T_max with which every force of a size{moment} is feasible, T_min = 0; exact for"
-        " any number of cables",
-        "facets of {S T}, in place of Brau eqs 17 and 23",
+        "largest_tension",
+        f"Least T_max with which every force of a size{without_moment(machine)} is feasible; exact"
+        " for any number of cables",
+        "facets of {S T}, in place of Brau eq. 20",
     )
+
+
+def bound_of(outwards: Scalar, wanted: Scalar) -> Scalar:
+    """Tension with which cables that pull a sum outwards reach what is wanted; `FAR` if none."""
+    nothing = PARALLEL * EPSILON
+    return where(outwards > nothing, wanted / outwards, where(wanted > nothing, FAR, 0))
 
 
 def functions(machine: Machine) -> list[ModelFunction]:
     """Everything this topic computes in one pass."""
-    result = [kernel_method(machine) if machine.redundancy == 1 else kernel_method_plane(machine)]
+    result = [kernel_line(machine) if machine.redundancy == 1 else kernel_program(machine)]
     if machine.dof == 2 and len(machine.cables) <= WRITTEN_OUT:
         result.append(reduced_pairs(machine))
-    if machine.dof == 2 and len(machine.cables) <= 4:
-        result.append(maximum_tension_adjacent(machine))
+    if machine.dof == 2:
+        result.append(largest_tensions_eq17(machine))
     return result
 
 
@@ -369,4 +391,4 @@ def composites(machine: Machine) -> list[Retry | Repeat | Sweep | Composition]:
     result: list[Retry | Repeat | Sweep | Composition] = []
     if machine.dof > 2 or len(machine.cables) > WRITTEN_OUT:
         result.append(reduced_sweep(machine))
-    return [*result, maximum_tension_eq12(machine), maximum_tension(machine)]
+    return [*result, largest_tensions_eq12(machine), largest_tension(machine)]

@@ -53,6 +53,13 @@ class Facet:
         centre, half = self.slab(low, high)
         return half - ca.fabs(centre)
 
+    def sides(self) -> tuple[Scalar, Scalar]:
+        """Sums of the positive and of the negative m . s_i, both as magnitudes."""
+        return (
+            total([ca.fmax(height, 0) for height in self.heights]),
+            total([ca.fmax(-height, 0) for height in self.heights]),
+        )
+
     def slope(self, space: int) -> Scalar:
         """Length of the normal's part along forces: 1 where there are no moments."""
         return norm(self.normal[:space]) if space < len(self.normal) else ca.SX(1)
@@ -95,7 +102,7 @@ class FacetSweep:
     structure: Input
     others: tuple[Input, ...]
     state: tuple[Output, ...]
-    visit: Callable[[Facet, Ports], Mapping[str, Vector]]
+    visit: Callable[[Facet, Subset, Ports], Mapping[str, Vector]]
     finish: Callable[[Ports], tuple[tuple[Output, ...], tuple[Verdict, ...]]]
 
     def named(self, name: str, summary: str, source: str) -> Sweep:
@@ -106,7 +113,7 @@ class FacetSweep:
             matrix, prepared = WEIGHED, (matrix_output(WEIGHED, "1", rows), *prepared)
 
         def visit(subset: Subset, known: Ports) -> Mapping[str, Vector]:
-            return self.visit(facet(known[matrix].rows(), subset.columns.rows()), known)
+            return self.visit(facet(known[matrix].rows(), subset.columns.rows()), subset, known)
 
         inputs = (self.structure, *self.others)
         size = self.machine.dof - 1

@@ -23,7 +23,7 @@ from model.symbolic.function import (
     vector_output,
 )
 from model.symbolic.scalar import Vector, largest, smallest, where
-from model.symbolic.sweep import Ports, Sweep
+from model.symbolic.sweep import Ports, Subset, Sweep
 from model.symbolic.wrench_set import FAR
 
 #: A normal whose part along forces is shorter bounds moments only.
@@ -40,7 +40,7 @@ def isotropic_sweep(machine: Machine) -> Sweep:
     low, high = machine.tension.min, machine.tension.max
     state = (scalar_output("margin", "N", ca.SX(FAR)), scalar_output("radius", "N", ca.SX(FAR)))
 
-    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
+    def visit(facet: Facet, _: Subset, known: Ports) -> dict[str, Vector]:
         gap, slope = facet.gap(low, high), facet.slope(machine.space)
         margin, radius = (known[name].scalars()[0] for name in ("margin", "radius"))
         there = facet.exists()
@@ -67,7 +67,7 @@ def balance_sweep(machine: Machine) -> Sweep:
     low, high = machine.tension.min, machine.tension.max
     state = (scalar_output("margin", "N", ca.SX(FAR)),)
 
-    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
+    def visit(facet: Facet, _: Subset, known: Ports) -> dict[str, Vector]:
         margin = known["margin"].scalars()[0]
         return {"margin": [where(facet.exists(), ca.fmin(margin, facet.gap(low, high)), margin)]}
 

@@ -23,7 +23,7 @@ from model.symbolic.function import (
 )
 from model.symbolic.linear import dot
 from model.symbolic.scalar import Scalar, Vector, total, where
-from model.symbolic.sweep import Ports, Sweep
+from model.symbolic.sweep import Ports, Subset, Sweep
 from model.symbolic.tension import INWARDS, OFF_BORDER
 from model.symbolic.wrench_norm import weighed
 from model.symbolic.wrench_set import FAR, RAY_SLACK
@@ -43,7 +43,7 @@ def ray_sweep(machine: Machine, structure: Input, wrench: Input) -> Sweep:
         scalar_output("last", "1", ca.SX(1)),
     )
 
-    def visit(facet: Facet, known: Ports) -> dict[str, Vector]:
+    def visit(facet: Facet, _: Subset, known: Ports) -> dict[str, Vector]:
         there = facet.exists()
         centre, half = facet.slab(low, high)
         height = dot(facet.normal, known["asked"].scalars())
