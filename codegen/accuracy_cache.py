@@ -11,14 +11,14 @@ from pathlib import Path
 
 import numpy as np
 
-from codegen import accuracy, composite, double_double, evaluate, ir, samples
+from codegen import accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples
 from codegen.accuracy import Accuracy, WorstCase, measure
 from codegen.composite import Item, fingerprint
 from model.machine import Machine
 
 #: Where measurements are kept between runs; safe to delete.
 CACHE = Path(__file__).parents[1] / "build" / "accuracy"
-_METHOD = (accuracy, composite, double_double, evaluate, ir, samples)
+_METHOD = (accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples)
 
 
 def measured_accuracy(machine: Machine, routines: list[Item]) -> dict[str, Accuracy]:

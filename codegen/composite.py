@@ -1,24 +1,24 @@
-"""Functions made of other ones: attempts in turn, loops of bounded length."""
+"""Functions made of other ones: attempts in turn, loops, sweeps over subsets, calls in a row."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import casadi as ca
 
+from codegen.chain import Chain
+from codegen.enumeration import Enumeration
+from codegen.fitting import refuse_strangers
 from codegen.ir import Op, Routine
 from model.symbolic.function import (
     ModelFunction,
     Output,
-    Port,
     Repeat,
     Retry,
     Status,
     Verdict,
     judged_by_results,
 )
-
-Shape = tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -86,13 +86,17 @@ class Loop:
         """What is carried from step to step."""
         return self.begin.function.outputs
 
+    def parts(self) -> list[Routine]:
+        """What is called, in order."""
+        return [self.begin, self.step, self.finish]
+
     @property
     def done(self) -> Output:
         """The last result of a step: positive after the last one."""
         return self.step.function.outputs[-1]
 
 
-Item = Routine | Procedure | Loop
+Item = Routine | Procedure | Loop | Enumeration | Chain
 
 
 def loop(repeat: Repeat, lowered: Callable[[ModelFunction], Routine]) -> Loop:
@@ -122,18 +126,29 @@ def refuse_misfits(repeat: Repeat) -> None:
         raise ValueError(f"{repeat.name}: only {finish.name} may find the problem infeasible")
 
 
-def refuse_strangers(part: str, ports: Sequence[Port], known: Mapping[str, Shape]) -> None:
-    """A part of a loop names what is there, in the shape it has."""
-    for port in ports:
-        if known.get(port.name) != port.shape:
-            raise ValueError(f"{part}: {port.name} {port.shape} is none of {dict(known)}")
+def made_of(item: Item) -> list[tuple["Item", int]]:
+    """What an item calls, and how often at most."""
+    if isinstance(item, Procedure):
+        return [(part, 1) for part in item.parts()]
+    if isinstance(item, Loop):
+        return [(item.begin, 1), (item.step, item.repeat.most), (item.finish, 1)]
+    if isinstance(item, Enumeration):
+        return [(item.begin, 1), (item.visit, len(item.sweep.subsets)), (item.finish, 1)]
+    return [(link.item, 1) for link in item.links] if isinstance(item, Chain) else []
 
 
 def most_steps(item: Item) -> int:
     """How many steps of loops an item takes at most."""
     if isinstance(item, Loop):
         return item.repeat.most
-    return sum(map(most_steps, item.parts())) if isinstance(item, Procedure) else 0
+    return sum(most_steps(part) for part, _ in made_of(item))
+
+
+def most_visits(item: Item) -> int:
+    """How many subsets of the cables an item visits at most."""
+    if isinstance(item, Enumeration):
+        return len(item.sweep.subsets)
+    return sum(most_visits(part) for part, _ in made_of(item))
 
 
 COSTED = (Op.ADD, Op.MUL, Op.DIV, Op.SQRT, Op.LT, Op.SELECT)
@@ -149,12 +164,9 @@ _COST_CLASS = {
 
 
 def cost(item: Item) -> dict[str, int]:
-    """Operations with every branch and every step counted, by class."""
-    if isinstance(item, Procedure):
-        return added([(cost(part), 1) for part in item.parts()])
-    if isinstance(item, Loop):
-        most = item.repeat.most
-        return added([(cost(item.begin), 1), (cost(item.step), most), (cost(item.finish), 1)])
+    """Operations with every branch, step and visit counted, by class."""
+    if not isinstance(item, Routine):
+        return added([(cost(part), times) for part, times in made_of(item)])
     counts = dict.fromkeys(COSTED, 0)
     for number in item.needed():
         op = item.nodes[number].op
@@ -182,5 +194,14 @@ def fingerprint(item: Item) -> str:
         names = [[port.name for port in part.function.ports] for part in parts]
         lines = [f"{item.repeat.name} {item.repeat.most} {names}", *map(fingerprint, parts)]
         return "\n".join(lines)
+    if isinstance(item, Enumeration):
+        parts = (item.begin, item.visit, item.finish)
+        names = [[port.name for port in part.function.ports] for part in parts]
+        head = f"{item.sweep.name} {item.sweep.matrix} {item.sweep.subsets} {names}"
+        return "\n".join([head, *map(fingerprint, parts)])
+    if isinstance(item, Chain):
+        calls = [f"{sorted(link.call.renamed.items())} {link.call.given!r}" for link in item.links]
+        parts_of = [fingerprint(link.item) for link in item.links]
+        return "\n".join([item.composition.name, *calls, *parts_of])
     nodes = [f"{n.op.value} {n.args} {n.value!r} {n.entry}" for n in item.nodes]
     return "\n".join([item.function.name, *nodes, repr(item.outputs), repr(item.verdicts)])

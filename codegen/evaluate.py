@@ -7,10 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from codegen.chain import Chain
 from codegen.composite import Item, Loop, Procedure
 from codegen.double_double import DoubleDouble, choose
+from codegen.enumeration import Enumeration
 from codegen.ir import Node, Op, Routine
 from model.symbolic.function import Port, Status
+from model.symbolic.sweep import CHOSEN, NUMBERS
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,10 @@ def _evaluate(item: Item, inputs: Arguments, count: int, arithmetic: Arithmetic)
         return _retry(item, inputs, count, arithmetic)
     if isinstance(item, Loop):
         return _repeat(item, inputs, count, arithmetic)
+    if isinstance(item, Enumeration):
+        return _sweep(item, inputs, count, arithmetic)
+    if isinstance(item, Chain):
+        return _compose(item, inputs, count, arithmetic)
     return _run(item, inputs, count, arithmetic)
 
 
@@ -102,6 +109,41 @@ def _repeat(item: Loop, inputs: Arguments, count: int, arithmetic: Arithmetic) -
     arguments = [known[port.name] for port in item.finish.function.inputs]
     finished = _run(item.finish, arguments, count, arithmetic)
     return Result(finished.outputs, [*begun.verdicts, *faults, going, *finished.verdicts])
+
+
+def _sweep(item: Enumeration, inputs: Arguments, count: int, arithmetic: Arithmetic) -> Result:
+    begun = _run(item.begin, inputs, count, arithmetic)
+    known = _named(item.function.inputs, inputs) | _named(item.state, begun.outputs)
+    rows, columns = item.matrix_shape
+    matrix = known[item.sweep.matrix]
+    for subset in item.sweep.subsets:
+        known[CHOSEN] = [matrix[columns * row + number] for row in range(rows) for number in subset]
+        known[NUMBERS] = _spread([arithmetic.number(float(number)) for number in subset], count)
+        arguments = [known[port.name] for port in item.visit.function.inputs]
+        visited = _run(item.visit, arguments, count, arithmetic)
+        known |= _named(item.visit.function.outputs, visited.outputs)
+    arguments = [known[port.name] for port in item.finish.function.inputs]
+    finished = _run(item.finish, arguments, count, arithmetic)
+    return Result(finished.outputs, [*begun.verdicts, *finished.verdicts])
+
+
+def _compose(item: Chain, inputs: Arguments, count: int, arithmetic: Arithmetic) -> Result:
+    known = _named(item.function.inputs, inputs)
+    verdicts: list[NDArray[np.bool_]] = []
+    for link in item.links:
+        function = link.item.function
+        arguments = [known[link.local(port)] for port in function.inputs]
+        if link.call.given:
+            made = arithmetic.number(0.0) < known[link.call.given][0]
+            zero = arithmetic.number(0.0)
+            nothing = [_spread([zero] * port.size, count) for port in function.outputs]
+            skipped = Result(nothing, _none(link.item, count))
+            result = _evaluate_where(made, link.item, arguments, skipped, arithmetic)
+        else:
+            result = _evaluate(link.item, arguments, count, arithmetic)
+        known |= dict(zip(link.gives(), result.outputs, strict=True))
+        verdicts += result.verdicts
+    return Result(result.outputs, verdicts)
 
 
 def _named(ports: Sequence[Port], values: Arguments) -> dict[str, list[Any]]:

@@ -5,7 +5,7 @@ import json
 import os
 import shutil
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,14 +14,19 @@ import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
+from codegen.chain import Chain, chain
 from codegen.composite import Item, Procedure, fingerprint, loop
 from codegen.constants import constants
 from codegen.emit import CFunction, emit, emit_alias
+from codegen.enumeration import enumeration
+from codegen.ir import Routine
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
-from model.symbolic.function import Input, Output, Repeat, Retry, Status
-from model.symbolic.topics import TOPICS, model_composites, model_functions
+from model.symbolic.composition import Composition
+from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
+from model.symbolic.sweep import Sweep
+from model.symbolic.topics import TOPICS, Composite, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
@@ -63,7 +68,7 @@ def build_model(machine: Machine) -> Model:
             f"{machine.dof} degrees of freedom"
         )
     routines = {
-        topic: [simplify(lower(function)) for function in functions]
+        topic: [lowered(function) for function in functions]
         for topic, functions in model_functions(machine).items()
     }
     topics: dict[str, list[Item]] = {topic: [*group] for topic, group in routines.items()}
@@ -76,12 +81,21 @@ def build_model(machine: Machine) -> Model:
     return Model(machine, topics)
 
 
-def composed(composite: Retry | Repeat, known: dict[str, Item]) -> Item:
+def composed(composite: Composite, known: dict[str, Item]) -> Item:
     """A function made of others: of those that are known, or of its own parts."""
     if isinstance(composite, Repeat):
-        return loop(composite, lambda part: simplify(lower(part)))
+        return loop(composite, lowered)
+    if isinstance(composite, Sweep):
+        return enumeration(composite, lowered)
+    if isinstance(composite, Composition):
+        return chain(composite, known, lowered)
     attempts = tuple(known[name] for name in composite.attempts)
     return Procedure(composite, attempts, known[composite.substitute])
+
+
+def lowered(function: ModelFunction) -> Routine:
+    """A model function ready to print."""
+    return simplify(lower(function))
 
 
 def machine_hash(model: Model) -> str:
@@ -125,6 +139,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
             "header": f"tb_{topic}.h",
             "subject": f"{TOPICS[topic][0].capitalize()} of {machine.name}.",
             "functions": c_functions(model, routines, accuracies),
+            "includes": [f"tb_{other}.h" for other in called_topics(model, topic)],
         }
         for kind in ("h", "c"):
             template = environment.get_template(f"topic.{kind}.jinja")
@@ -133,15 +148,35 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
     return files
 
 
+def called_topics(model: Model, topic: str) -> list[str]:
+    """The other topics whose functions those of a topic call."""
+    homes = {item.function.name: home for home, items in model.topics.items() for item in items}
+    chains = [item for item in model.topics[topic] if isinstance(item, Chain)]
+    called = {homes[name] for item in chains for name in item.called()}
+    return sorted(called - {topic})
+
+
 def c_functions(
     model: Model, routines: list[Item], accuracies: dict[str, Accuracy]
 ) -> list[CFunction]:
     """The C of one topic, with its aliases last."""
-    functions = [emit(routine, accuracies[routine.function.name]) for routine in routines]
+    functions = once([emit(routine, accuracies[routine.function.name]) for routine in routines])
     by_name = {routine.function.name: routine for routine in routines}
     for alias, target in model.aliases().items():
         if target in by_name:
             functions.append(emit_alias(alias, by_name[target]))
+    return functions
+
+
+def once(functions: list[CFunction]) -> list[CFunction]:
+    """The functions of one file; what several of them call alone comes with the first of these."""
+    printed: dict[str, CFunction] = {}
+    for number, function in enumerate(functions):
+        fresh = tuple(part for part in function.parts if printed.get(part.name) != part)
+        if clash := printed.keys() & {part.name for part in fresh}:
+            raise ValueError(f"{min(clash)} stands for two functions")
+        printed |= {part.name: part for part in fresh}
+        functions[number] = replace(function, parts=fresh)
     return functions
 
 

@@ -104,3 +104,8 @@ def torque(machine: Machine, name: str) -> Input:
     """Motor torques."""
     bound = HEADROOM * machine.tension.max * machine.drum.radius
     return bounded_input(name, (len(machine.cables),), "N m", bound)
+
+
+def force(machine: Machine) -> Input:
+    """Size of a force in any direction."""
+    return make_input("force", (), "N", [0.0], [HEADROOM * machine.tension.max])

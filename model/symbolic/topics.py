@@ -4,7 +4,11 @@ from collections.abc import Callable
 
 from model.machine import Machine
 from model.symbolic import control, kinematic_functions, quality, statics, tension
+from model.symbolic.composition import Composition
 from model.symbolic.function import ModelFunction, Repeat, Retry
+from model.symbolic.sweep import Sweep
+
+Composite = Retry | Repeat | Sweep | Composition
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematic_functions.functions),
@@ -20,9 +24,9 @@ def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
     return {topic: build(machine) for topic, (_, build) in TOPICS.items()}
 
 
-def model_composites(machine: Machine) -> dict[str, list[Retry | Repeat]]:
+def model_composites(machine: Machine) -> dict[str, list[Composite]]:
     """Every function that is made of others, by topic; those it is made of come before it."""
     return {
         "kinematics": [*kinematic_functions.composites(machine)],
-        "tension": tension.composites(machine),
+        "tension": [*tension.composites(machine)],
     }
