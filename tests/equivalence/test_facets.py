@@ -17,7 +17,7 @@ from codegen.composite import Item
 from codegen.enumeration import enumeration
 from codegen.generate import lowered
 from model.machine import Machine
-from model.symbolic import arguments, kinematics, quality_by_facets, tension
+from model.symbolic import arguments, kinematic_functions, quality_by_facets, tension
 from model.symbolic.function import ModelFunction, Status, vector_output
 from model.symbolic.quality_by_facets import balance_sweep, isotropic_sweep
 from model.symbolic.wrench_ray import served_wrench_scale
@@ -179,7 +179,7 @@ def test_dependent_cables_add_no_facet_and_no_nan(machine: Machine) -> None:
 def pose_qualities(tmp_path_factory: pytest.TempPathFactory) -> tuple[Machine, Generated]:
     """Quality of poses of a point in space held by eight cables from the corners of its frame."""
     cube = machine_of("spatial-point", 6, tmp_path_factory.mktemp("machines"))
-    structure = next(f for f in kinematics.functions(cube) if f.name == "structure_matrix")
+    structure = next(f for f in kinematic_functions.functions(cube) if f.name == "structure_matrix")
     solver = tension.least_norm_function(cube, *tension.methods(cube)[-1])
     known: dict[str, Item] = {f.name: lowered(f) for f in (structure, solver)}
     for composite in quality_by_facets.composites(cube):
