@@ -29,13 +29,19 @@ def slabs(machine: Machine, structure: Array) -> tuple[Array, Array, Array]:
     a set that has shrunk, because the cables do not span, also needs directions that fewer cables
     and what they all leave open determine. Such a row in the batch adds them to all rows.
     """
-    lever = moment_lever(machine, structure.dtype)
-    cables = np.swapaxes(structure, -1, -2) / lever
-    normals, sides = _planar_normals(cables) if machine.dof == 2 else _normals(cables)
+    normals, sides = facet_directions(machine, structure)
     lower, upper = np.asarray([machine.tension.min, machine.tension.max], structure.dtype)
     middle, reach = (upper + lower) / 2, (upper - lower) / 2
     half_width = reach * np.sum(np.abs(sides), axis=-1)
-    return normals / lever, middle * np.sum(sides, axis=-1), half_width
+    return normals, middle * np.sum(sides, axis=-1), half_width
+
+
+def facet_directions(machine: Machine, structure: Array) -> tuple[Array, Array]:
+    """The slabs' normals p (..., k, d) and sides p . s_i (..., k, n), whatever the bounds are."""
+    lever = moment_lever(machine, structure.dtype)
+    cables = np.swapaxes(structure, -1, -2) / lever
+    normals, sides = _planar_normals(cables) if machine.dof == 2 else _normals(cables)
+    return normals / lever, sides
 
 
 def contains(machine: Machine, structure: Array, wrench: Array) -> npt.NDArray[np.bool_]:
