@@ -1,8 +1,8 @@
 """Wrench-feasible workspace (Yoon eq. 11; Bosscher 2006) and theoretical workspace (Brau 2.2).
 
 A margin [N] says how far every wrench of a demand is from the boundary of what bounded tensions
-can give: positive inside, negative by as much as the demand sticks out. Its sign is the verdict;
-on the boundary it is rounding, and `feasible` counts the boundary in.
+can give. Where it is negative, the demand sticks out of the worst facet by as much. Its sign is the
+verdict; on the boundary it is rounding, and `feasible` counts the boundary in.
 
 structure (..., d, n), rows in newtons (moments divided by the lever); forces fill the first `space`
 entries of a wrench, moments the rest. NaN in S gives NaN margins and False verdicts.

@@ -181,6 +181,22 @@ def test_normals_are_the_null_vectors_of_the_cables_they_belong_to(d: int, n: in
         assert ball_margin(s, LOWER, UPPER) == pytest.approx(expected, rel=1e-9, abs=1e-11)
 
 
+def test_cables_that_span_no_facet_add_none() -> None:
+    (s,) = random_structures(1, 3, 6)
+    s[:, 1] = -s[:, 0]
+    outside = np.array([1e5, 0, 0])  # the axis itself would say less than all facets
+    expected = np.inf
+    for i, j in combinations(range(6), 2):
+        normal = np.cross(s[:, i], s[:, j])
+        if (i, j) != (0, 1):
+            for unit in (normal / np.linalg.norm(normal), -normal / np.linalg.norm(normal)):
+                reach = UPPER * np.maximum(unit @ s, 0) - LOWER * np.maximum(-unit @ s, 0)
+                expected = min(expected, float(np.sum(reach) - unit @ outside))
+    assert polytope_margin(s, LOWER, UPPER, [outside]) == pytest.approx(expected, rel=1e-12)
+    axis_alone = UPPER * np.sum(np.maximum(s[0], 0)) - LOWER * np.sum(np.maximum(-s[0], 0)) - 1e5
+    assert axis_alone < expected - 0.1
+
+
 def test_the_theoretical_workspace_of_fixed_pulleys_is_their_polygon() -> None:
     pulleys = np.array([[0, 0], [2, 0.1], [1.5, 1.2], [0.2, 0.7]])
     rng = np.random.default_rng(0)

@@ -16,6 +16,7 @@ from model.workspace.force import (
     force_along,
     isotropic_force,
     isotropic_force_eq17,
+    isotropic_limits,
     tension_factor,
     zero_wrench_tension,
 )
@@ -163,6 +164,26 @@ def test_a_platform_whose_cables_give_no_moment_still_has_its_forces() -> None:
         assert isotropic_force(s, LOWER, UPPER) == pytest.approx(0, abs=NEWTON)
         assert force_along(s, LOWER, UPPER, [0.6, 0.8, 0]) > 7
         assert force_along(s, LOWER, UPPER, [0, 0, 1]) == pytest.approx(0, abs=NEWTON)
+
+
+@pytest.mark.parametrize(("d", "n", "space"), [(2, 4, 2), (3, 5, 2), (6, 9, 3)])
+def test_the_least_limit_is_the_isotropic_force(d: int, n: int, space: int) -> None:
+    s = random_structures(300, d, n)
+    least = np.min(isotropic_limits(s, 0.2, UPPER, space), axis=-1)
+    force = isotropic_force(s, 0.2, UPPER, space)
+    assert np.sum(force > 0) > 5 and np.sum(least < 0) > 5
+    assert np.allclose(np.maximum(least, 0), force, rtol=1e-12, atol=NEWTON)
+
+
+def test_a_moment_that_no_cable_holds_is_a_limit_below_zero() -> None:
+    diagonal = np.sqrt(0.5)
+    s = np.array(  # all cables turn the platform to the left
+        [[1, 0, -1, 0, diagonal], [0, 1, 0, -1, diagonal], [1, 1, 1, 1, 1]]
+    )
+    assert np.min(isotropic_limits(s, LOWER, UPPER, space=2)) < 0
+    assert isotropic_force(s, LOWER, UPPER, space=2) == 0
+    through_centre = np.array([[1, 0, -1, -1], [0, 1, -1, -0.2], [0, 0, -1, -1]])
+    assert np.min(isotropic_limits(through_centre, LOWER, UPPER, space=2)) == -4 * UPPER
 
 
 def test_no_force_is_given_where_the_cables_cannot_even_hold_still() -> None:
