@@ -48,10 +48,14 @@ def items(machine: Machine, topics: tuple[str, ...] = GEOMETRY) -> dict[str, lis
     return found
 
 
-@cache
-def geometry(name: str, precision: str = "double") -> Generated:
-    """The compiled kinematics, statics and control of a machine of the tests."""
-    machine = machine_named(name)
+def compiled(machine: Machine, precision: str = "double") -> Generated:
+    """The compiled kinematics, statics and control of a machine."""
     model = Unnamed(machine, items(machine))
     files = render(model, {item.function.name: Accuracy() for item in model.items()})
     return Generated(machine, folder_of(machine, files), precision)
+
+
+@cache
+def geometry(name: str, precision: str = "double") -> Generated:
+    """The same of a machine of the tests, or a stock machine."""
+    return compiled(machine_named(name), precision)
