@@ -693,6 +693,19 @@ def isotropic_force(p: Problem) -> Expected:
     return of_quality(p, "force", value, 0.0, slack, ranked=False)
 
 
+def pose_quality(p: Problem) -> Expected:
+    """The margin is as exact as the isotropic force, and the factor is 0 where all T0 are."""
+    parts = tension_factor(p), isotropic_force(p)
+    margin = quality.capacity_margin(p.machine, p["pose"], p["rails"])
+    answer = of_quality(p, "margin", margin, 0.0, parts[1].tolerance["force"], ranked=True)
+    for part in parts:
+        answer.values.update(part.values)
+        answer.tolerance.update(part.tolerance)
+    if p.machine.tension.min == 0:
+        answer.values["factor"] = np.zeros_like(margin)
+    return answer
+
+
 def isotropic_force_eq17(p: Problem) -> Expected:
     """Which cables are adjacent is decided by the side they lie on: where two have one direction,
     or opposite ones, up to rounding, either order is right."""
@@ -729,6 +742,7 @@ JUDGES: dict[str, Judge] = {
     "zero_wrench_tension": zero_wrench_tension,
     "tension_factor": tension_factor,
     "isotropic_force": isotropic_force,
+    "pose_quality": pose_quality,
     "isotropic_force_eq17": isotropic_force_eq17,
     "motor_torques": motor_torques,
     "wall_force": wall_force,

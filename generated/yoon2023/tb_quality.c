@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5edbcd63552eb956, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 59a739f0f6fb0122, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
@@ -667,6 +667,612 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
     }
     force[0] = force_0;
     return t34 ? TB_INFEASIBLE : TB_OK;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1], real_t
+    factor[1], real_t force[1])
+{
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    /* l_i = |b_i - c|, Yoon eq. 18 */
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t t1 = TB_C(1.0) / length_0;
+    const real_t t2 = t0 * t1;
+    const real_t t3 = rails[1] - pose[1];
+    const real_t t4 = TB_C(0.7118) - pose[0];
+    const real_t length_1 = TB_SQRT(t4 * t4 + t3 * t3);
+    const real_t t5 = TB_C(1.0) / length_1;
+    const real_t t6 = t3 * t5;
+    const real_t t7 = pose[1] * t1;
+    const real_t t8 = t4 * t5;
+    const real_t t9 = t2 * t6 + t7 * t8;
+    const real_t t10 = TB_ABS(t9);
+    const real_t t11 = TB_C(0.4618) - pose[1];
+    const real_t t12 = rails[2] - pose[0];
+    const real_t length_2 = TB_SQRT(t12 * t12 + t11 * t11);
+    const real_t t13 = TB_C(1.0) / length_2;
+    const real_t t14 = t11 * t13;
+    const real_t t15 = t12 * t13;
+    const real_t t16 = t2 * t14 + t7 * t15;
+    const real_t t17 = TB_ABS(t16);
+    const real_t t18 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t18 * t18);
+    const real_t t19 = TB_C(1.0) / length_3;
+    const real_t t20 = t18 * t19;
+    const real_t t21 = pose[0] * t19;
+    const real_t t22 = t2 * t20 - t7 * t21;
+    const real_t t23 = TB_ABS(t22);
+    const real_t t24 = TB_C(6.5) * (t20 + (t14 + (t6 - t7)));
+    const real_t t25 = TB_C(6.5) * (t15 + (t2 + t8) - t21);
+    const real_t t26 = TB_C(3.5) * (t10 + t17 + t23) - TB_ABS(t2 * t24 + t7 * t25);
+    const real_t t27 = t8 * t14 - t6 * t15;
+    const real_t t28 = TB_ABS(t27);
+    const real_t t29 = t8 * t20 + t6 * t21;
+    const real_t t30 = TB_ABS(t29);
+    const real_t t31 = TB_C(3.5) * (t10 + t28 + t30) - TB_ABS(t8 * t24 - t6 * t25);
+    const real_t t32 = t15 * t20 + t14 * t21;
+    const real_t t33 = TB_ABS(t32);
+    const real_t t34 = TB_C(3.5) * (t17 + t28 + t33) - TB_ABS(t15 * t24 - t14 * t25);
+    const real_t t35 = TB_C(3.5) * (t33 + (t23 + t30)) - TB_ABS(t21 * t24 + t20 * t25);
+    const real_t margin_0 = tb_min(tb_min(tb_min(t26, t31), t34), t35);
+    const bool t36 = TB_C(0.0) <= margin_0;
+    const real_t t37 = t9 * t9;
+    const real_t t38 = t22 * t22;
+    const real_t t39 = t29 * t29;
+    const real_t t40 = t16 * t16;
+    const real_t t41 = t27 * t27;
+    const real_t t42 = t32 * t32;
+    const real_t t43 = (t37 + t42 + (t39 + t40) + (t38 + t41)) * TB_C(0.5);
+    const real_t t44 = TB_SQRT(t43);
+    real_t factor_0, t45;
+    if (t36) {
+        const real_t t46 = t37 + (t38 + t39);
+        const real_t t47 = TB_C(1.0) / tb_max(t46, TB_EPSILON);
+        const real_t t48 = TB_C(3.0) * (TB_C(3.0) * t47);
+        const real_t t49 = t37 + (t40 + t41);
+        const real_t t50 = TB_C(1.0) / tb_max(t49, TB_EPSILON);
+        const real_t t51 = TB_C(3.0) * (TB_C(3.0) * t50);
+        const real_t t52 = t41 + (t39 + t42);
+        const real_t t53 = TB_C(1.0) / tb_max(t52, TB_EPSILON);
+        const real_t t54 = TB_C(3.0) * (TB_C(3.0) * t53);
+        const real_t t55 = t40 + (t38 + t42);
+        const real_t t56 = TB_C(1.0) / tb_max(t55, TB_EPSILON);
+        const real_t t57 = TB_C(3.0) * (TB_C(3.0) * t56);
+        const bool t58 = tb_max(t48, t51) <= tb_max(t54, t57);
+        const real_t t59 = TB_C(1.0) / t44;
+        const real_t t60 = TB_EPSILON * TB_C(120.0) * t59;
+        const real_t t61 = t60 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+        const real_t t62 = TB_EPSILON * TB_C(16.0);
+        const real_t t63 = TB_C(3.0) - t60;
+        const real_t t64 = t60 + TB_C(10.0);
+        const bool t65 = t23 <= t62;
+        const real_t t66 = t9 * t16 + t29 * t32;
+        const real_t t67 = TB_C(1.0) / t22;
+        const bool t68 = t17 <= t62;
+        const real_t t69 = t9 * t22 - t27 * t32;
+        const real_t t70 = TB_C(1.0) / t16;
+        const bool t71 = t30 <= t62;
+        const real_t t72 = t22 * t32 - t9 * t27;
+        const real_t t73 = TB_C(1.0) / t29;
+        const real_t t74 = t9 * t29 + t16 * t32;
+        const bool t75 = t28 <= t62;
+        const real_t t76 = TB_C(1.0) / t27;
+        real_t t77, t78, t79, t80;
+        if (t58) {
+            const bool t81 = t57 <= t54;
+            const real_t t82 = t16 * t27 + t22 * t29;
+            const bool t83 = t33 <= t62;
+            const real_t t84 = TB_C(1.0) / t32;
+            real_t t85, t86, t87, t88;
+            if (t81) {
+                const real_t t89 = t53 * t61;
+                const real_t t90 = t89 * t82;
+                real_t t91, t92;
+                if (t83) {
+                    t91 = -TB_C(1000000000000.0);
+                    t92 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t93 = t84 * (t63 + t90);
+                    const real_t t94 = t84 * (t64 + t90);
+                    t91 = tb_min(t93, t94);
+                    t92 = tb_max(t93, t94);
+                }
+                const real_t t95 = t89 * t72;
+                real_t t96, t97;
+                if (t71) {
+                    t96 = -TB_C(1000000000000.0);
+                    t97 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t98 = -(t73 * (t63 + t95));
+                    const real_t t99 = -(t73 * (t64 + t95));
+                    t96 = tb_min(t98, t99);
+                    t97 = tb_max(t98, t99);
+                }
+                const real_t t100 = t89 * t74;
+                real_t t101, t102;
+                if (t75) {
+                    t101 = -TB_C(1000000000000.0);
+                    t102 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t103 = t76 * (t63 - t100);
+                    const real_t t104 = t76 * (t64 - t100);
+                    t101 = tb_min(t103, t104);
+                    t102 = tb_max(t103, t104);
+                }
+                const real_t t105 = tb_max(TB_C(0.0), tb_max(tb_max(t91, t96), t101));
+                const real_t t106 = tb_min(t105, tb_min(tb_min(t92, t97), t102));
+                t85 = t52 * t89;
+                t86 = t32 * t106 - t90;
+                t87 = -(t95 + t29 * t106);
+                t88 = t100 + t27 * t106;
+            } else {
+                const real_t t107 = t56 * t61;
+                const real_t t108 = t82 * t107;
+                real_t t109, t110;
+                if (t83) {
+                    t109 = -TB_C(1000000000000.0);
+                    t110 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t111 = -((t108 + t63) * t84);
+                    const real_t t112 = -(t84 * (t108 + t64));
+                    t109 = tb_min(t111, t112);
+                    t110 = tb_max(t111, t112);
+                }
+                const real_t t113 = t107 * t66;
+                real_t t114, t115;
+                if (t65) {
+                    t114 = -TB_C(1000000000000.0);
+                    t115 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t116 = (t63 + t113) * t67;
+                    const real_t t117 = t67 * (t64 + t113);
+                    t114 = tb_min(t116, t117);
+                    t115 = tb_max(t116, t117);
+                }
+                const real_t t118 = t107 * t69;
+                real_t t119, t120;
+                if (t68) {
+                    t119 = -TB_C(1000000000000.0);
+                    t120 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t121 = -((t63 + t118) * t70);
+                    const real_t t122 = -(t70 * (t64 + t118));
+                    t119 = tb_min(t121, t122);
+                    t120 = tb_max(t121, t122);
+                }
+                const real_t t123 = tb_max(TB_C(0.0), tb_max(tb_max(t109, t114), t119));
+                const real_t t124 = tb_min(t123, tb_min(tb_min(t110, t115), t120));
+                t85 = -(t108 + t32 * t124);
+                t86 = t55 * t107;
+                t87 = t22 * t124 - t113;
+                t88 = -(t118 + t16 * t124);
+            }
+            t77 = t85;
+            t78 = t86;
+            t79 = t87;
+            t80 = t88;
+        } else {
+            const bool t125 = t51 <= t48;
+            const bool t126 = t10 <= t62;
+            const real_t t127 = t16 * t22 + t27 * t29;
+            const real_t t128 = TB_C(1.0) / t9;
+            real_t t129, t130, t131, t132;
+            if (t125) {
+                const real_t t133 = t47 * t61;
+                const real_t t134 = t72 * t133;
+                real_t t135, t136;
+                if (t71) {
+                    t135 = -TB_C(1000000000000.0);
+                    t136 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t137 = (t63 + t134) * t73;
+                    const real_t t138 = t73 * (t64 + t134);
+                    t135 = tb_min(t137, t138);
+                    t136 = tb_max(t137, t138);
+                }
+                const real_t t139 = t66 * t133;
+                real_t t140, t141;
+                if (t65) {
+                    t140 = -TB_C(1000000000000.0);
+                    t141 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t142 = -(t67 * (t63 + t139));
+                    const real_t t143 = -(t67 * (t64 + t139));
+                    t140 = tb_min(t142, t143);
+                    t141 = tb_max(t142, t143);
+                }
+                const real_t t144 = t133 * t127;
+                real_t t145, t146;
+                if (t126) {
+                    t145 = -TB_C(1000000000000.0);
+                    t146 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t147 = (t63 + t144) * t128;
+                    const real_t t148 = t128 * (t64 + t144);
+                    t145 = tb_min(t147, t148);
+                    t146 = tb_max(t147, t148);
+                }
+                const real_t t149 = tb_max(TB_C(0.0), tb_max(tb_max(t135, t140), t145));
+                const real_t t150 = tb_min(t149, tb_min(tb_min(t136, t141), t146));
+                t129 = t29 * t150 - t134;
+                t130 = -(t139 + t22 * t150);
+                t131 = t46 * t133;
+                t132 = t9 * t150 - t144;
+            } else {
+                const real_t t151 = t50 * t61;
+                const real_t t152 = t74 * t151;
+                real_t t153, t154;
+                if (t75) {
+                    t153 = -TB_C(1000000000000.0);
+                    t154 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t155 = -((t63 - t152) * t76);
+                    const real_t t156 = -(t76 * (t64 - t152));
+                    t153 = tb_min(t155, t156);
+                    t154 = tb_max(t155, t156);
+                }
+                const real_t t157 = t69 * t151;
+                real_t t158, t159;
+                if (t68) {
+                    t158 = -TB_C(1000000000000.0);
+                    t159 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t160 = t70 * (t63 + t157);
+                    const real_t t161 = t70 * (t64 + t157);
+                    t158 = tb_min(t160, t161);
+                    t159 = tb_max(t160, t161);
+                }
+                const real_t t162 = t127 * t151;
+                real_t t163, t164;
+                if (t126) {
+                    t163 = -TB_C(1000000000000.0);
+                    t164 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t165 = -(t128 * (t63 + t162));
+                    const real_t t166 = -(t128 * (t64 + t162));
+                    t163 = tb_min(t165, t166);
+                    t164 = tb_max(t165, t166);
+                }
+                const real_t t167 = tb_max(TB_C(0.0), tb_max(tb_max(t153, t158), t163));
+                const real_t t168 = tb_min(t167, tb_min(tb_min(t154, t159), t164));
+                t129 = t152 - t27 * t168;
+                t130 = t16 * t168 - t157;
+                t131 = -(t162 + t9 * t168);
+                t132 = t49 * t151;
+            }
+            t77 = t129;
+            t78 = t130;
+            t79 = t131;
+            t80 = t132;
+        }
+        const real_t t169 = tb_min(tb_max(t77, TB_C(3.0)), TB_C(10.0));
+        const real_t t170 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
+        const real_t t171 = tb_min(tb_max(t79, TB_C(3.0)), TB_C(10.0));
+        const real_t t172 = tb_min(tb_max(t80, TB_C(3.0)), TB_C(10.0));
+        const real_t t173 = TB_ABS(t2 * t169 + t8 * t170 + t15 * t171 - t21 * t172);
+        const real_t t174 = TB_ABS(t6 * t170 - t7 * t169 + t14 * t171 + t20 * t172);
+        const real_t t175 = tb_max(tb_max(TB_C(0.0), t173), t174) - t59 * (TB_EPSILON *
+            TB_C(480.0));
+        const bool t176 = t175 <= TB_C(0.0);
+        real_t t177, t178;
+        if (t176) {
+            const real_t t179 = tb_max(tb_max(tb_max(t169, t170), t171), t172);
+            const real_t t180 = tb_min(tb_min(tb_min(t169, t170), t171), t172) / (TB_C(0.0) <
+                t179 ? t179 : TB_C(1.0));
+            t177 = t180;
+            t178 = TB_C(0.0);
+        } else {
+            const real_t t181 = TB_SQRT(t2 * t2 + t8 * t8 + t15 * t15 + t21 * t21);
+            const real_t t182 = TB_COPYSIGN(t181, t2);
+            const real_t t183 = t2 + t182;
+            const real_t t184 = TB_C(1.0) / (t181 * (t181 + TB_ABS(t2)));
+            const real_t t185 = (t6 * t8 - t7 * t183 + t14 * t15 - t20 * t21) * t184;
+            const real_t t186 = t6 - t8 * t185;
+            const real_t t187 = t14 - t15 * t185;
+            const real_t t188 = t20 + t21 * t185;
+            const real_t t189 = TB_SQRT(t186 * t186 + t187 * t187 + t188 * t188);
+            const real_t t190 = TB_COPYSIGN(t189, t186);
+            const real_t t191 = TB_C(1.0) / tb_min(TB_ABS(t182), TB_ABS(t190));
+            const real_t t192 = TB_EPSILON * TB_C(30.0) * t191;
+            const real_t t193 = TB_C(3.0) - t192;
+            const real_t t194 = TB_C(1.0) / (t189 * (t189 + TB_ABS(t186)));
+            const real_t t195 = t187 * t194;
+            const real_t t196 = TB_C(1.0) - t187 * t195;
+            const real_t t197 = t186 + t190;
+            const real_t t198 = t195 * t197;
+            const real_t t199 = t188 * t195;
+            const real_t t200 = t184 * (t15 * t196 - t8 * t198 + t21 * t199);
+            const real_t t201 = t183 * t200;
+            const real_t t202 = t198 + t8 * t200;
+            const real_t t203 = t188 * t194;
+            const real_t t204 = t197 * t203;
+            const real_t t205 = t187 * t203;
+            const real_t t206 = TB_C(1.0) - t188 * t203;
+            const real_t t207 = t184 * (t8 * t204 + t15 * t205 + t21 * t206);
+            const real_t t208 = t183 * t207;
+            const real_t t209 = t8 * t207 - t204;
+            const real_t t210 = t201 * t202 + t208 * t209;
+            const real_t t211 = t192 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+            const real_t t212 = t211 / tb_max(t201 * t201 + t208 * t208, TB_EPSILON);
+            const real_t t213 = t210 * t212;
+            const real_t t214 = TB_C(10.0) + t192;
+            const real_t t215 = tb_max(t193 - t213, t213 - t214);
+            const bool t216 = TB_C(0.0) < t215;
+            const real_t t217 = t15 * t207 - t205;
+            const real_t t218 = t196 - t15 * t200;
+            const real_t t219 = t209 * t217 - t202 * t218;
+            const real_t t220 = t202 * t217 + t209 * t218;
+            const real_t t221 = t208 * t217 - t201 * t218;
+            const real_t t222 = t206 - t21 * t207;
+            const real_t t223 = t21 * t200 - t199;
+            const real_t t224 = t209 * t222 - t202 * t223;
+            const real_t t225 = t202 * t222 + t209 * t223;
+            const real_t t226 = t208 * t222 - t201 * t223;
+            const real_t t227 = TB_C(2.0) * t192;
+            const real_t t228 = t192 * TB_C(1024.0);
+            real_t t229, t230, t231, t232, t233;
+            if (t216) {
+                const real_t t234 = tb_min(tb_max(t213, TB_C(3.0)), TB_C(10.0));
+                const real_t t235 = TB_C(1.0) / tb_max(t202 * t202 + t209 * t209, TB_EPSILON);
+                const real_t t236 = t234 * t235;
+                const real_t t237 = t201 * t209 - t202 * t208;
+                const bool t238 = TB_ABS(t237) <= t62;
+                const real_t t239 = t210 * t236;
+                const real_t t240 = TB_C(1.0) / t237;
+                real_t t241, t242;
+                if (t238) {
+                    t241 = -TB_C(1000000000000.0);
+                    t242 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t243 = (t193 - t239) * t240;
+                    const real_t t244 = t240 * (t214 - t239);
+                    t241 = tb_min(t243, t244);
+                    t242 = tb_max(t243, t244);
+                }
+                const real_t t245 = tb_min(tb_max(TB_C(0.0), t241), t242);
+                const real_t t246 = TB_C(0.0) < TB_ABS(t245) ? t245 * (t210 * t240) : TB_C(0.0);
+                const real_t t247 = t213 < t234 ? t246 - t236 : t236 - t246;
+                real_t t248;
+                if (TB_C(0.0) < t247) {
+                    const real_t t249 = t238 ? TB_C(0.0) : t227 * TB_ABS(t240);
+                    const real_t t250 = t241 + t249 < t242 - t249 && t228 < t215 ? t247 :
+                        TB_C(0.0);
+                    t248 = t250;
+                } else {
+                    t248 = TB_C(0.0);
+                }
+                t229 = t219 * t236 - t220 * t245;
+                t230 = t236 * t224 - t245 * t225;
+                t231 = t239 + t237 * t245;
+                t232 = t234;
+                t233 = t248;
+            } else {
+                t229 = t212 * t221;
+                t230 = t212 * t226;
+                t231 = t211;
+                t232 = t213;
+                t233 = TB_C(0.0);
+            }
+            const real_t t251 = tb_max(t193 - t229, t229 - t214);
+            const bool t252 = TB_C(0.0) < t251;
+            const real_t t253 = t218 * t223 + t217 * t222;
+            const real_t t254 = t218 * t222;
+            const real_t t255 = t217 * t223;
+            real_t t256, t257, t258, t259, t260;
+            if (t252) {
+                const real_t t261 = tb_min(tb_max(t229, TB_C(3.0)), TB_C(10.0));
+                const real_t t262 = TB_C(1.0) / tb_max(t218 * t218 + t217 * t217, TB_EPSILON);
+                const real_t t263 = t261 * t262;
+                const bool t264 = TB_ABS(t220) <= t62;
+                const real_t t265 = t219 * t263;
+                const real_t t266 = TB_C(1.0) / t220;
+                real_t t267, t268;
+                if (t264) {
+                    t267 = -TB_C(1000000000000.0);
+                    t268 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t269 = (t193 - t265) * t266;
+                    const real_t t270 = t266 * (t214 - t265);
+                    t267 = tb_min(t269, t270);
+                    t268 = tb_max(t269, t270);
+                }
+                const real_t t271 = t208 * t218 + t201 * t217;
+                const bool t272 = TB_ABS(t271) <= t62;
+                const real_t t273 = t221 * t263;
+                const real_t t274 = TB_C(1.0) / t271;
+                real_t t275, t276;
+                if (t272) {
+                    t275 = -TB_C(1000000000000.0);
+                    t276 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t277 = (t193 - t273) * t274;
+                    const real_t t278 = t274 * (t214 - t273);
+                    t275 = tb_min(t277, t278);
+                    t276 = tb_max(t277, t278);
+                }
+                const real_t t279 = tb_min(tb_max(TB_C(0.0), tb_max(t267, t275)), tb_min(t268,
+                    t276));
+                real_t t280;
+                if (TB_C(0.0) < TB_ABS(t279)) {
+                    const real_t t281 = t219 * t266;
+                    const real_t t282 = t221 * t274;
+                    const real_t t283 = TB_C(0.0) < t279 ? (t275 < t267 ? t281 : t282) : (t268
+                        < t276 ? t281 : t282);
+                    t280 = t279 * t283;
+                } else {
+                    t280 = TB_C(0.0);
+                }
+                const real_t t284 = t229 < t261 ? t280 - t263 : t263 - t280;
+                real_t t285;
+                if (TB_C(0.0) < t284) {
+                    const real_t t286 = t272 ? TB_C(0.0) : t227 * TB_ABS(t274);
+                    const real_t t287 = t264 ? TB_C(0.0) : t227 * TB_ABS(t266);
+                    const bool t288 = tb_max(t275 + t286, t267 + t287) < tb_min(t276 - t286,
+                        t268 - t287);
+                    t285 = t288 && t228 < t251 ? t284 : TB_C(0.0);
+                } else {
+                    t285 = TB_C(0.0);
+                }
+                t256 = t253 * t263 + (t254 - t255) * t279;
+                t257 = t273 + t271 * t279;
+                t258 = t265 + t220 * t279;
+                t259 = t261;
+                t260 = t285;
+            } else {
+                t256 = t230;
+                t257 = t231;
+                t258 = t232;
+                t259 = t229;
+                t260 = t233;
+            }
+            const real_t t289 = tb_max(t193 - t256, t256 - t214);
+            const bool t290 = TB_C(0.0) < t289;
+            real_t t291, t292, t293, t294, t295;
+            if (t290) {
+                const real_t t296 = tb_min(tb_max(t256, TB_C(3.0)), TB_C(10.0));
+                const real_t t297 = TB_C(1.0) / tb_max(t223 * t223 + t222 * t222, TB_EPSILON);
+                const real_t t298 = t296 * t297;
+                const real_t t299 = t226 * t298;
+                const real_t t300 = t208 * t223 + t201 * t222;
+                const real_t t301 = t255 - t254;
+                const bool t302 = TB_ABS(t301) <= t62;
+                const real_t t303 = t253 * t298;
+                const real_t t304 = TB_C(1.0) / t301;
+                real_t t305, t306;
+                if (t302) {
+                    t305 = -TB_C(1000000000000.0);
+                    t306 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t307 = (t193 - t303) * t304;
+                    const real_t t308 = t304 * (t214 - t303);
+                    t305 = tb_min(t307, t308);
+                    t306 = tb_max(t307, t308);
+                }
+                const bool t309 = TB_ABS(t225) <= t62;
+                const real_t t310 = t224 * t298;
+                const real_t t311 = TB_C(1.0) / t225;
+                real_t t312, t313;
+                if (t309) {
+                    t312 = -TB_C(1000000000000.0);
+                    t313 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t314 = (t193 - t310) * t311;
+                    const real_t t315 = t311 * (t214 - t310);
+                    t312 = tb_min(t314, t315);
+                    t313 = tb_max(t314, t315);
+                }
+                const bool t316 = TB_ABS(t300) <= t62;
+                const real_t t317 = TB_C(1.0) / t300;
+                real_t t318, t319;
+                if (t316) {
+                    t318 = -TB_C(1000000000000.0);
+                    t319 = TB_C(1000000000000.0);
+                } else {
+                    const real_t t320 = (t193 - t299) * t317;
+                    const real_t t321 = t317 * (t214 - t299);
+                    t318 = tb_min(t320, t321);
+                    t319 = tb_max(t320, t321);
+                }
+                const real_t t322 = tb_max(t312, t318);
+                const real_t t323 = tb_min(t313, t319);
+                const real_t t324 = tb_min(tb_max(TB_C(0.0), tb_max(t305, t322)), tb_min(t306,
+                    t323));
+                real_t t325;
+                if (TB_C(0.0) < TB_ABS(t324)) {
+                    const real_t t326 = t253 * t304;
+                    const real_t t327 = t224 * t311;
+                    const real_t t328 = t226 * t317;
+                    real_t t329;
+                    if (TB_C(0.0) < t324) {
+                        t329 = t322 < t305 ? t326 : (t318 < t312 ? t327 : t328);
+                    } else {
+                        t329 = t306 < t323 ? t326 : (t313 < t319 ? t327 : t328);
+                    }
+                    t325 = t324 * t329;
+                } else {
+                    t325 = TB_C(0.0);
+                }
+                const real_t t330 = t256 < t296 ? t325 - t298 : t298 - t325;
+                real_t t331;
+                if (TB_C(0.0) < t330) {
+                    const real_t t332 = t316 ? TB_C(0.0) : t227 * TB_ABS(t317);
+                    const real_t t333 = t309 ? TB_C(0.0) : t227 * TB_ABS(t311);
+                    const real_t t334 = t302 ? TB_C(0.0) : t227 * TB_ABS(t304);
+                    const real_t t335 = tb_max(tb_max(t318 + t332, t312 + t333), t305 + t334);
+                    const real_t t336 = tb_min(tb_min(t319 - t332, t313 - t333), t306 - t334);
+                    t331 = t335 < t336 && t228 < t289 ? t330 : TB_C(0.0);
+                } else {
+                    t331 = TB_C(0.0);
+                }
+                t291 = t299 + t300 * t324;
+                t292 = t310 + t225 * t324;
+                t293 = t303 + t301 * t324;
+                t294 = t296;
+                t295 = t331;
+            } else {
+                t291 = t257;
+                t292 = t258;
+                t293 = t259;
+                t294 = t256;
+                t295 = t260;
+            }
+            const real_t t337 = tb_min(tb_max(t291, TB_C(3.0)), TB_C(10.0));
+            const real_t t338 = tb_min(tb_max(t292, TB_C(3.0)), TB_C(10.0));
+            const real_t t339 = tb_min(tb_max(t293, TB_C(3.0)), TB_C(10.0));
+            const real_t t340 = tb_min(tb_max(t294, TB_C(3.0)), TB_C(10.0));
+            const real_t t341 = tb_max(tb_max(tb_max(t337, t338), t339), t340);
+            const real_t t342 = tb_min(tb_min(tb_min(t337, t338), t339), t340) / (TB_C(0.0) <
+                t341 ? t341 : TB_C(1.0));
+            const real_t t343 = TB_ABS(t2 * t337 + t8 * t338 + t15 * t339 - t21 * t340);
+            const real_t t344 = TB_ABS(t6 * t338 - t7 * t337 + t14 * t339 + t20 * t340);
+            const real_t t345 = tb_max(tb_max(t295, t343), t344) - t191 * (TB_EPSILON *
+                TB_C(1280.0));
+            t177 = t342;
+            t178 = t345;
+        }
+        factor_0 = t177;
+        t45 = t178;
+    } else {
+        factor_0 = TB_C(0.0);
+        t45 = TB_C(0.0);
+    }
+    const real_t force_0 = tb_max(TB_C(0.0), margin_0);
+    const bool t346 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t347 = t346 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t348 = !t347;
+    const bool t349 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0)) < t44;
+    const bool t350 = !t349;
+    const bool t351 = !(t45 <= TB_C(0.0));
+    const bool t352 = !t36;
+    if (t348) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t350) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t351) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_INACCURATE;
+    }
+    margin[0] = margin_0;
+    factor[0] = factor_0;
+    force[0] = force_0;
+    return t352 ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1])

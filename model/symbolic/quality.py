@@ -1,5 +1,8 @@
 """How good a pose is: tension factor and isotropic force, Yoon section III-A and III-B."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 import casadi as ca
 
 from model.machine import Machine
@@ -15,7 +18,7 @@ from model.symbolic.function import (
     vector_output,
 )
 from model.symbolic.linear import dot, norm, transpose
-from model.symbolic.null_space import factored
+from model.symbolic.null_space import NullSpace, factored
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
@@ -25,8 +28,27 @@ from model.symbolic.scalar import (
     smallest,
     where,
 )
-from model.symbolic.tension import KKT_TOLERANCE, Solution, least_norm_tension, rank_lost, rounding
+from model.symbolic.tension import (
+    KKT_TOLERANCE,
+    Solution,
+    least_norm_tension,
+    methods,
+    rank_lost,
+    rounding,
+)
 from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """TF from one way to find T0; `excess` is what T0 misses of its own check [N], 0 for nothing.
+
+    `space` is the null space that was found on the way.
+    """
+
+    space: NullSpace
+    factor: Scalar
+    excess: Scalar
 
 
 class Rig:
@@ -52,6 +74,15 @@ class Rig:
     def at_rest(self) -> Solution:
         """T0, the least-norm tensions that hold the platform without any force on it."""
         return least_norm_tension(self.matrix, self.zero, self.space, *self.bounds)
+
+    def attempt(self, method: Callable[[Matrix, Vector], NullSpace], tolerance: float) -> Attempt:
+        """TF by one method of the tension distribution, held to its tolerance."""
+        space = method(self.matrix, self.zero)
+        rest = least_norm_tension(self.matrix, self.zero, space, *self.bounds)
+        most = largest(rest.tension)
+        factor = smallest(rest.tension) / where(most > 0, most, 1)
+        limit = rounding(tolerance, ca.SX(self.machine.tension.max), space)
+        return Attempt(space, factor, rest.kkt_residual - limit)
 
     def touching(self) -> Verdict:
         """The platform is at a pulley."""
@@ -122,6 +153,42 @@ def isotropic_force_function(machine: Machine) -> ModelFunction:
     )
 
 
+def pose_quality_function(machine: Machine) -> ModelFunction:
+    """All that a map of poses shows, without doing common work twice.
+
+    The quickest method is asked for T0 first, the next one where that fails its check, and none
+    where the zero wrench is infeasible.
+    """
+    rig = Rig(machine)
+    outside = rig.outside()
+    margin = rig.wrench_set.inner_radius()
+    attempts = [rig.attempt(method, tolerance) for _, method, tolerance, _ in methods(machine)]
+    factor, excess = attempts[-1].factor, attempts[-1].excess
+    for attempt in reversed(attempts[:-1]):
+        holds = attempt.excess <= 0
+        factor, excess = where(holds, attempt.factor, factor), where(holds, 0, excess)
+    inaccurate = Verdict(
+        ca.logic_not(where(outside.condition, 0, excess) <= 0),
+        Status.INACCURATE,
+        "the optimality conditions of T0 are missed by more than rounding",
+    )
+    return ModelFunction(
+        "pose_quality",
+        "What a map shows of a pose: capacity margin, least distance of the zero wrench from a "
+        "facet of the feasible forces, negative outside; TF = min(T0) / max(T0), 0 outside and "
+        "where T0 = 0; I_F = max(0, margin). Every force up to F is feasible where margin >= F",
+        "Yoon section III-A, eq. 13; Guay et al. 2014",
+        rig.inputs,
+        (
+            scalar_output("margin", "N", margin),
+            scalar_output("factor", "1", where(outside.condition, 0, factor)),
+            scalar_output("force", "N", ca.fmax(0, margin)),
+        ),
+        (rig.touching(), rank_lost(attempts[0].space), inaccurate, outside),
+        (kinematics.length_label(rig.lengths),),
+    )
+
+
 def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
     """Isotropic force as published, from the parallelograms of adjacent tension margins."""
     rig = Rig(machine)
@@ -174,5 +241,6 @@ def functions(machine: Machine) -> list[ModelFunction]:
         zero_wrench_tension_function(machine),
         tension_factor_function(machine),
         isotropic_force_function(machine),
+        pose_quality_function(machine),
         isotropic_force_eq17_function(machine),
     ]
