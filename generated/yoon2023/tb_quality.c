@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 59a739f0f6fb0122, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 9a61d3af80ac4b63, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
@@ -709,561 +709,458 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t ma
     const real_t t21 = pose[0] * t19;
     const real_t t22 = t2 * t20 - t7 * t21;
     const real_t t23 = TB_ABS(t22);
-    const real_t t24 = TB_C(6.5) * (t20 + (t14 + (t6 - t7)));
-    const real_t t25 = TB_C(6.5) * (t15 + (t2 + t8) - t21);
-    const real_t t26 = TB_C(3.5) * (t10 + t17 + t23) - TB_ABS(t2 * t24 + t7 * t25);
-    const real_t t27 = t8 * t14 - t6 * t15;
-    const real_t t28 = TB_ABS(t27);
-    const real_t t29 = t8 * t20 + t6 * t21;
+    const real_t t24 = t20 + (t14 + (t6 - t7));
+    const real_t t25 = TB_C(6.5) * t24;
+    const real_t t26 = t15 + (t2 + t8) - t21;
+    const real_t t27 = TB_C(6.5) * t26;
+    const real_t t28 = TB_C(3.5) * (t10 + t17 + t23) - TB_ABS(t2 * t25 + t7 * t27);
+    const real_t t29 = t8 * t14 - t6 * t15;
     const real_t t30 = TB_ABS(t29);
-    const real_t t31 = TB_C(3.5) * (t10 + t28 + t30) - TB_ABS(t8 * t24 - t6 * t25);
-    const real_t t32 = t15 * t20 + t14 * t21;
-    const real_t t33 = TB_ABS(t32);
-    const real_t t34 = TB_C(3.5) * (t17 + t28 + t33) - TB_ABS(t15 * t24 - t14 * t25);
-    const real_t t35 = TB_C(3.5) * (t33 + (t23 + t30)) - TB_ABS(t21 * t24 + t20 * t25);
-    const real_t margin_0 = tb_min(tb_min(tb_min(t26, t31), t34), t35);
-    const bool t36 = TB_C(0.0) <= margin_0;
-    const real_t t37 = t9 * t9;
-    const real_t t38 = t22 * t22;
-    const real_t t39 = t29 * t29;
-    const real_t t40 = t16 * t16;
-    const real_t t41 = t27 * t27;
-    const real_t t42 = t32 * t32;
-    const real_t t43 = (t37 + t42 + (t39 + t40) + (t38 + t41)) * TB_C(0.5);
-    const real_t t44 = TB_SQRT(t43);
-    real_t factor_0, t45;
-    if (t36) {
-        const real_t t46 = t37 + (t38 + t39);
-        const real_t t47 = TB_C(1.0) / tb_max(t46, TB_EPSILON);
-        const real_t t48 = TB_C(3.0) * (TB_C(3.0) * t47);
-        const real_t t49 = t37 + (t40 + t41);
-        const real_t t50 = TB_C(1.0) / tb_max(t49, TB_EPSILON);
-        const real_t t51 = TB_C(3.0) * (TB_C(3.0) * t50);
-        const real_t t52 = t41 + (t39 + t42);
-        const real_t t53 = TB_C(1.0) / tb_max(t52, TB_EPSILON);
-        const real_t t54 = TB_C(3.0) * (TB_C(3.0) * t53);
-        const real_t t55 = t40 + (t38 + t42);
-        const real_t t56 = TB_C(1.0) / tb_max(t55, TB_EPSILON);
-        const real_t t57 = TB_C(3.0) * (TB_C(3.0) * t56);
-        const bool t58 = tb_max(t48, t51) <= tb_max(t54, t57);
-        const real_t t59 = TB_C(1.0) / t44;
-        const real_t t60 = TB_EPSILON * TB_C(120.0) * t59;
-        const real_t t61 = t60 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
-        const real_t t62 = TB_EPSILON * TB_C(16.0);
-        const real_t t63 = TB_C(3.0) - t60;
-        const real_t t64 = t60 + TB_C(10.0);
-        const bool t65 = t23 <= t62;
-        const real_t t66 = t9 * t16 + t29 * t32;
-        const real_t t67 = TB_C(1.0) / t22;
-        const bool t68 = t17 <= t62;
-        const real_t t69 = t9 * t22 - t27 * t32;
-        const real_t t70 = TB_C(1.0) / t16;
-        const bool t71 = t30 <= t62;
-        const real_t t72 = t22 * t32 - t9 * t27;
-        const real_t t73 = TB_C(1.0) / t29;
-        const real_t t74 = t9 * t29 + t16 * t32;
-        const bool t75 = t28 <= t62;
-        const real_t t76 = TB_C(1.0) / t27;
-        real_t t77, t78, t79, t80;
-        if (t58) {
-            const bool t81 = t57 <= t54;
-            const real_t t82 = t16 * t27 + t22 * t29;
-            const bool t83 = t33 <= t62;
-            const real_t t84 = TB_C(1.0) / t32;
-            real_t t85, t86, t87, t88;
-            if (t81) {
-                const real_t t89 = t53 * t61;
-                const real_t t90 = t89 * t82;
-                real_t t91, t92;
-                if (t83) {
-                    t91 = -TB_C(1000000000000.0);
-                    t92 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t93 = t84 * (t63 + t90);
-                    const real_t t94 = t84 * (t64 + t90);
-                    t91 = tb_min(t93, t94);
-                    t92 = tb_max(t93, t94);
-                }
-                const real_t t95 = t89 * t72;
-                real_t t96, t97;
-                if (t71) {
-                    t96 = -TB_C(1000000000000.0);
-                    t97 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t98 = -(t73 * (t63 + t95));
-                    const real_t t99 = -(t73 * (t64 + t95));
-                    t96 = tb_min(t98, t99);
-                    t97 = tb_max(t98, t99);
-                }
-                const real_t t100 = t89 * t74;
-                real_t t101, t102;
-                if (t75) {
-                    t101 = -TB_C(1000000000000.0);
-                    t102 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t103 = t76 * (t63 - t100);
-                    const real_t t104 = t76 * (t64 - t100);
-                    t101 = tb_min(t103, t104);
-                    t102 = tb_max(t103, t104);
-                }
-                const real_t t105 = tb_max(TB_C(0.0), tb_max(tb_max(t91, t96), t101));
-                const real_t t106 = tb_min(t105, tb_min(tb_min(t92, t97), t102));
-                t85 = t52 * t89;
-                t86 = t32 * t106 - t90;
-                t87 = -(t95 + t29 * t106);
-                t88 = t100 + t27 * t106;
-            } else {
-                const real_t t107 = t56 * t61;
-                const real_t t108 = t82 * t107;
-                real_t t109, t110;
-                if (t83) {
-                    t109 = -TB_C(1000000000000.0);
-                    t110 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t111 = -((t108 + t63) * t84);
-                    const real_t t112 = -(t84 * (t108 + t64));
-                    t109 = tb_min(t111, t112);
-                    t110 = tb_max(t111, t112);
-                }
-                const real_t t113 = t107 * t66;
-                real_t t114, t115;
-                if (t65) {
-                    t114 = -TB_C(1000000000000.0);
-                    t115 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t116 = (t63 + t113) * t67;
-                    const real_t t117 = t67 * (t64 + t113);
-                    t114 = tb_min(t116, t117);
-                    t115 = tb_max(t116, t117);
-                }
-                const real_t t118 = t107 * t69;
-                real_t t119, t120;
-                if (t68) {
-                    t119 = -TB_C(1000000000000.0);
-                    t120 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t121 = -((t63 + t118) * t70);
-                    const real_t t122 = -(t70 * (t64 + t118));
-                    t119 = tb_min(t121, t122);
-                    t120 = tb_max(t121, t122);
-                }
-                const real_t t123 = tb_max(TB_C(0.0), tb_max(tb_max(t109, t114), t119));
-                const real_t t124 = tb_min(t123, tb_min(tb_min(t110, t115), t120));
-                t85 = -(t108 + t32 * t124);
-                t86 = t55 * t107;
-                t87 = t22 * t124 - t113;
-                t88 = -(t118 + t16 * t124);
-            }
-            t77 = t85;
-            t78 = t86;
-            t79 = t87;
-            t80 = t88;
+    const real_t t31 = t8 * t20 + t6 * t21;
+    const real_t t32 = TB_ABS(t31);
+    const real_t t33 = TB_C(3.5) * (t10 + t30 + t32) - TB_ABS(t8 * t25 - t6 * t27);
+    const real_t t34 = t15 * t20 + t14 * t21;
+    const real_t t35 = TB_ABS(t34);
+    const real_t t36 = TB_C(3.5) * (t17 + t30 + t35) - TB_ABS(t15 * t25 - t14 * t27);
+    const real_t t37 = TB_C(3.5) * (t35 + (t23 + t32)) - TB_ABS(t21 * t25 + t20 * t27);
+    const real_t margin_0 = tb_min(tb_min(tb_min(t28, t33), t36), t37);
+    const bool t38 = TB_C(0.0) <= margin_0;
+    real_t factor_0, t39;
+    if (t38) {
+        const real_t t40 = t26 * -TB_C(3.0);
+        const real_t t41 = t24 * -TB_C(3.0);
+        const real_t t42 = TB_C(120.0) * TB_EPSILON;
+        const bool t43 = tb_max(TB_ABS(t40), TB_ABS(t41)) <= t42;
+        real_t t44, t45, t46, t47, t48, t49, t50, t51, t52, t53;
+        if (t43) {
+            t44 = TB_C(0.0);
+            t45 = TB_C(0.0);
+            t46 = TB_C(0.0);
+            t47 = TB_C(0.0);
+            t48 = TB_C(0.0);
+            t49 = TB_C(0.0);
+            t50 = TB_C(0.0);
+            t51 = TB_C(0.0);
+            t52 = TB_C(0.0);
+            t53 = TB_C(0.0);
         } else {
-            const bool t125 = t51 <= t48;
-            const bool t126 = t10 <= t62;
-            const real_t t127 = t16 * t22 + t27 * t29;
-            const real_t t128 = TB_C(1.0) / t9;
-            real_t t129, t130, t131, t132;
-            if (t125) {
-                const real_t t133 = t47 * t61;
-                const real_t t134 = t72 * t133;
-                real_t t135, t136;
-                if (t71) {
-                    t135 = -TB_C(1000000000000.0);
-                    t136 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t137 = (t63 + t134) * t73;
-                    const real_t t138 = t73 * (t64 + t134);
-                    t135 = tb_min(t137, t138);
-                    t136 = tb_max(t137, t138);
-                }
-                const real_t t139 = t66 * t133;
-                real_t t140, t141;
-                if (t65) {
-                    t140 = -TB_C(1000000000000.0);
-                    t141 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t142 = -(t67 * (t63 + t139));
-                    const real_t t143 = -(t67 * (t64 + t139));
-                    t140 = tb_min(t142, t143);
-                    t141 = tb_max(t142, t143);
-                }
-                const real_t t144 = t133 * t127;
-                real_t t145, t146;
-                if (t126) {
-                    t145 = -TB_C(1000000000000.0);
-                    t146 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t147 = (t63 + t144) * t128;
-                    const real_t t148 = t128 * (t64 + t144);
-                    t145 = tb_min(t147, t148);
-                    t146 = tb_max(t147, t148);
-                }
-                const real_t t149 = tb_max(TB_C(0.0), tb_max(tb_max(t135, t140), t145));
-                const real_t t150 = tb_min(t149, tb_min(tb_min(t136, t141), t146));
-                t129 = t29 * t150 - t134;
-                t130 = -(t139 + t22 * t150);
-                t131 = t46 * t133;
-                t132 = t9 * t150 - t144;
+            const real_t t54 = -(t7 * t40 + t2 * t41);
+            const real_t t55 = t2 * t40 - t7 * t41;
+            const real_t t56 = TB_C(0.0) <= t54 ? t55 : -TB_C(1e+30);
+            const real_t t57 = t6 * t40 - t8 * t41;
+            const real_t t58 = t8 * t40 + t6 * t41;
+            const real_t t59 = TB_C(0.0) <= t57 ? t58 : -TB_C(1e+30);
+            const real_t t60 = tb_max(t56, t59);
+            const real_t t61 = t14 * t40 - t15 * t41;
+            const real_t t62 = t15 * t40 + t14 * t41;
+            const real_t t63 = TB_C(0.0) <= t61 ? t62 : -TB_C(1e+30);
+            const real_t t64 = t20 * t40 + t21 * t41;
+            const real_t t65 = t20 * t41 - t21 * t40;
+            const bool t66 = tb_max(t60, t63) < (TB_C(0.0) <= t64 ? t65 : -TB_C(1e+30));
+            const real_t t67 = -t7;
+            const real_t t68 = -t21;
+            real_t t69, t70;
+            if (t66) {
+                t69 = t20;
+                t70 = t68;
             } else {
-                const real_t t151 = t50 * t61;
-                const real_t t152 = t74 * t151;
-                real_t t153, t154;
-                if (t75) {
-                    t153 = -TB_C(1000000000000.0);
-                    t154 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t155 = -((t63 - t152) * t76);
-                    const real_t t156 = -(t76 * (t64 - t152));
-                    t153 = tb_min(t155, t156);
-                    t154 = tb_max(t155, t156);
-                }
-                const real_t t157 = t69 * t151;
-                real_t t158, t159;
-                if (t68) {
-                    t158 = -TB_C(1000000000000.0);
-                    t159 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t160 = t70 * (t63 + t157);
-                    const real_t t161 = t70 * (t64 + t157);
-                    t158 = tb_min(t160, t161);
-                    t159 = tb_max(t160, t161);
-                }
-                const real_t t162 = t127 * t151;
-                real_t t163, t164;
-                if (t126) {
-                    t163 = -TB_C(1000000000000.0);
-                    t164 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t165 = -(t128 * (t63 + t162));
-                    const real_t t166 = -(t128 * (t64 + t162));
-                    t163 = tb_min(t165, t166);
-                    t164 = tb_max(t165, t166);
-                }
-                const real_t t167 = tb_max(TB_C(0.0), tb_max(tb_max(t153, t158), t163));
-                const real_t t168 = tb_min(t167, tb_min(tb_min(t154, t159), t164));
-                t129 = t152 - t27 * t168;
-                t130 = t16 * t168 - t157;
-                t131 = -(t162 + t9 * t168);
-                t132 = t49 * t151;
+                const bool t71 = t60 < t63;
+                const bool t72 = t56 < t59;
+                t69 = t71 ? t14 : (t72 ? t6 : t67);
+                t70 = t71 ? t15 : (t72 ? t8 : t2);
             }
-            t77 = t129;
-            t78 = t130;
-            t79 = t131;
-            t80 = t132;
+            const real_t t73 = t54 < TB_C(0.0) ? t55 : -TB_C(1e+30);
+            const real_t t74 = t57 < TB_C(0.0) ? t58 : -TB_C(1e+30);
+            const real_t t75 = tb_max(t73, t74);
+            const real_t t76 = t61 < TB_C(0.0) ? t62 : -TB_C(1e+30);
+            const bool t77 = tb_max(t75, t76) < (t64 < TB_C(0.0) ? t65 : -TB_C(1e+30));
+            real_t t78, t79;
+            if (t77) {
+                t78 = t68;
+                t79 = t20;
+            } else {
+                const bool t80 = t75 < t76;
+                const bool t81 = t73 < t74;
+                t78 = t80 ? t15 : (t81 ? t8 : t2);
+                t79 = t80 ? t14 : (t81 ? t6 : t67);
+            }
+            const real_t t82 = TB_C(1.0) / (t69 * t78 - t70 * t79);
+            const real_t t83 = TB_C(3.0) + (t40 * t69 - t41 * t70) * t82;
+            const real_t t84 = TB_C(3.0) - t82 * (t40 * t79 - t41 * t78);
+            const real_t t85 = t82 * (t69 * t83 - t79 * t84);
+            const real_t t86 = t82 * (t78 * t84 - t70 * t83);
+            t44 = t2 * t85;
+            t45 = -(t7 * t86);
+            t46 = t8 * t85;
+            t47 = t6 * t86;
+            t48 = t15 * t85;
+            t49 = t14 * t86;
+            t50 = -(t21 * t85);
+            t51 = t20 * t86;
+            t52 = t85;
+            t53 = t86;
         }
-        const real_t t169 = tb_min(tb_max(t77, TB_C(3.0)), TB_C(10.0));
-        const real_t t170 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
-        const real_t t171 = tb_min(tb_max(t79, TB_C(3.0)), TB_C(10.0));
-        const real_t t172 = tb_min(tb_max(t80, TB_C(3.0)), TB_C(10.0));
-        const real_t t173 = TB_ABS(t2 * t169 + t8 * t170 + t15 * t171 - t21 * t172);
-        const real_t t174 = TB_ABS(t6 * t170 - t7 * t169 + t14 * t171 + t20 * t172);
-        const real_t t175 = tb_max(tb_max(TB_C(0.0), t173), t174) - t59 * (TB_EPSILON *
-            TB_C(480.0));
-        const bool t176 = t175 <= TB_C(0.0);
-        real_t t177, t178;
-        if (t176) {
-            const real_t t179 = tb_max(tb_max(tb_max(t169, t170), t171), t172);
-            const real_t t180 = tb_min(tb_min(tb_min(t169, t170), t171), t172) / (TB_C(0.0) <
-                t179 ? t179 : TB_C(1.0));
-            t177 = t180;
-            t178 = TB_C(0.0);
+        const real_t t87 = t44 + t45;
+        const real_t t88 = tb_min(tb_max(t87, TB_C(3.0)), TB_C(10.0));
+        const real_t t89 = t46 + t47;
+        const real_t t90 = tb_min(tb_max(t89, TB_C(3.0)), TB_C(10.0));
+        const real_t t91 = t48 + t49;
+        const real_t t92 = tb_min(tb_max(t91, TB_C(3.0)), TB_C(10.0));
+        const real_t t93 = t50 + t51;
+        const real_t t94 = tb_min(tb_max(t93, TB_C(3.0)), TB_C(10.0));
+        const real_t t95 = t2 * t88 + t8 * t90 + t15 * t92 - t21 * t94;
+        const real_t t96 = t6 * t90 - t7 * t88 + t14 * t92 + t20 * t94;
+        const bool t97 = tb_max(TB_ABS(t95), TB_ABS(t96)) - t42 <= TB_C(0.0);
+        real_t t98, t99;
+        if (t97) {
+            const real_t t100 = tb_min(tb_min(tb_min(t88, t90), t92), t94) /
+                tb_max(tb_max(tb_max(t88, t90), t92), t94);
+            t98 = t100;
+            t99 = TB_C(0.0);
         } else {
-            const real_t t181 = TB_SQRT(t2 * t2 + t8 * t8 + t15 * t15 + t21 * t21);
-            const real_t t182 = TB_COPYSIGN(t181, t2);
-            const real_t t183 = t2 + t182;
-            const real_t t184 = TB_C(1.0) / (t181 * (t181 + TB_ABS(t2)));
-            const real_t t185 = (t6 * t8 - t7 * t183 + t14 * t15 - t20 * t21) * t184;
-            const real_t t186 = t6 - t8 * t185;
-            const real_t t187 = t14 - t15 * t185;
-            const real_t t188 = t20 + t21 * t185;
-            const real_t t189 = TB_SQRT(t186 * t186 + t187 * t187 + t188 * t188);
-            const real_t t190 = TB_COPYSIGN(t189, t186);
-            const real_t t191 = TB_C(1.0) / tb_min(TB_ABS(t182), TB_ABS(t190));
-            const real_t t192 = TB_EPSILON * TB_C(30.0) * t191;
-            const real_t t193 = TB_C(3.0) - t192;
-            const real_t t194 = TB_C(1.0) / (t189 * (t189 + TB_ABS(t186)));
-            const real_t t195 = t187 * t194;
-            const real_t t196 = TB_C(1.0) - t187 * t195;
-            const real_t t197 = t186 + t190;
-            const real_t t198 = t195 * t197;
-            const real_t t199 = t188 * t195;
-            const real_t t200 = t184 * (t15 * t196 - t8 * t198 + t21 * t199);
-            const real_t t201 = t183 * t200;
-            const real_t t202 = t198 + t8 * t200;
-            const real_t t203 = t188 * t194;
-            const real_t t204 = t197 * t203;
-            const real_t t205 = t187 * t203;
-            const real_t t206 = TB_C(1.0) - t188 * t203;
-            const real_t t207 = t184 * (t8 * t204 + t15 * t205 + t21 * t206);
-            const real_t t208 = t183 * t207;
-            const real_t t209 = t8 * t207 - t204;
-            const real_t t210 = t201 * t202 + t208 * t209;
-            const real_t t211 = t192 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
-            const real_t t212 = t211 / tb_max(t201 * t201 + t208 * t208, TB_EPSILON);
-            const real_t t213 = t210 * t212;
-            const real_t t214 = TB_C(10.0) + t192;
-            const real_t t215 = tb_max(t193 - t213, t213 - t214);
-            const bool t216 = TB_C(0.0) < t215;
-            const real_t t217 = t15 * t207 - t205;
-            const real_t t218 = t196 - t15 * t200;
-            const real_t t219 = t209 * t217 - t202 * t218;
-            const real_t t220 = t202 * t217 + t209 * t218;
-            const real_t t221 = t208 * t217 - t201 * t218;
-            const real_t t222 = t206 - t21 * t207;
-            const real_t t223 = t21 * t200 - t199;
-            const real_t t224 = t209 * t222 - t202 * t223;
-            const real_t t225 = t202 * t222 + t209 * t223;
-            const real_t t226 = t208 * t222 - t201 * t223;
-            const real_t t227 = TB_C(2.0) * t192;
-            const real_t t228 = t192 * TB_C(1024.0);
-            real_t t229, t230, t231, t232, t233;
-            if (t216) {
-                const real_t t234 = tb_min(tb_max(t213, TB_C(3.0)), TB_C(10.0));
-                const real_t t235 = TB_C(1.0) / tb_max(t202 * t202 + t209 * t209, TB_EPSILON);
-                const real_t t236 = t234 * t235;
-                const real_t t237 = t201 * t209 - t202 * t208;
-                const bool t238 = TB_ABS(t237) <= t62;
-                const real_t t239 = t210 * t236;
-                const real_t t240 = TB_C(1.0) / t237;
-                real_t t241, t242;
-                if (t238) {
-                    t241 = -TB_C(1000000000000.0);
-                    t242 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t243 = (t193 - t239) * t240;
-                    const real_t t244 = t240 * (t214 - t239);
-                    t241 = tb_min(t243, t244);
-                    t242 = tb_max(t243, t244);
-                }
-                const real_t t245 = tb_min(tb_max(TB_C(0.0), t241), t242);
-                const real_t t246 = TB_C(0.0) < TB_ABS(t245) ? t245 * (t210 * t240) : TB_C(0.0);
-                const real_t t247 = t213 < t234 ? t246 - t236 : t236 - t246;
-                real_t t248;
-                if (TB_C(0.0) < t247) {
-                    const real_t t249 = t238 ? TB_C(0.0) : t227 * TB_ABS(t240);
-                    const real_t t250 = t241 + t249 < t242 - t249 && t228 < t215 ? t247 :
-                        TB_C(0.0);
-                    t248 = t250;
-                } else {
-                    t248 = TB_C(0.0);
-                }
-                t229 = t219 * t236 - t220 * t245;
-                t230 = t236 * t224 - t245 * t225;
-                t231 = t239 + t237 * t245;
-                t232 = t234;
-                t233 = t248;
+            const bool t101 = TB_C(3.0) < t87 && t87 < TB_C(10.0);
+            const real_t t102 = t2 * t2;
+            const bool t103 = TB_C(3.0) < t89 && t89 < TB_C(10.0);
+            const real_t t104 = t8 * t8;
+            const real_t t105 = (t101 ? t102 : TB_C(0.0)) + (t103 ? t104 : TB_C(0.0));
+            const bool t106 = TB_C(3.0) < t91 && t91 < TB_C(10.0);
+            const real_t t107 = t15 * t15;
+            const bool t108 = TB_C(3.0) < t93 && t93 < TB_C(10.0);
+            const real_t t109 = t21 * t21;
+            const real_t t110 = t105 + (t106 ? t107 : TB_C(0.0)) + (t108 ? t109 : TB_C(0.0));
+            const real_t t111 = TB_C(1.0) / t110;
+            const real_t t112 = t6 * t8;
+            const real_t t113 = (t101 ? -(t2 * t7) : TB_C(0.0)) + (t103 ? t112 : TB_C(0.0));
+            const real_t t114 = t14 * t15;
+            const real_t t115 = t20 * t21;
+            const real_t t116 = t113 + (t106 ? t114 : TB_C(0.0)) + (t108 ? -t115 : TB_C(0.0));
+            const real_t t117 = t111 * t116;
+            const real_t t118 = (t101 ? t7 * t7 : TB_C(0.0)) + (t103 ? t6 * t6 : TB_C(0.0));
+            const real_t t119 = t118 + (t106 ? t14 * t14 : TB_C(0.0)) + (t108 ? t20 * t20 :
+                TB_C(0.0));
+            const real_t t120 = (t96 - t95 * t117) / (t119 - t110 * (t117 * t117));
+            const real_t t121 = t52 - (t95 * t111 - t117 * t120);
+            const real_t t122 = t53 - t120;
+            const real_t t123 = tb_min(tb_max(t2 * t121 - t7 * t122, TB_C(3.0)), TB_C(10.0));
+            const real_t t124 = tb_min(tb_max(t8 * t121 + t6 * t122, TB_C(3.0)), TB_C(10.0));
+            const real_t t125 = tb_min(tb_max(t15 * t121 + t14 * t122, TB_C(3.0)), TB_C(10.0));
+            const real_t t126 = tb_min(tb_max(t20 * t122 - t21 * t121, TB_C(3.0)), TB_C(10.0));
+            const real_t t127 = TB_ABS(t2 * t123 + t8 * t124 + t15 * t125 - t21 * t126);
+            const real_t t128 = TB_ABS(t6 * t124 - t7 * t123 + t14 * t125 + t20 * t126);
+            const bool t129 = tb_max(t127, t128) - t42 <= TB_C(0.0);
+            real_t t130, t131;
+            if (t129) {
+                const real_t t132 = tb_min(tb_min(tb_min(t123, t124), t125), t126) /
+                    tb_max(tb_max(tb_max(t123, t124), t125), t126);
+                t130 = t132;
+                t131 = TB_C(0.0);
             } else {
-                t229 = t212 * t221;
-                t230 = t212 * t226;
-                t231 = t211;
-                t232 = t213;
-                t233 = TB_C(0.0);
-            }
-            const real_t t251 = tb_max(t193 - t229, t229 - t214);
-            const bool t252 = TB_C(0.0) < t251;
-            const real_t t253 = t218 * t223 + t217 * t222;
-            const real_t t254 = t218 * t222;
-            const real_t t255 = t217 * t223;
-            real_t t256, t257, t258, t259, t260;
-            if (t252) {
-                const real_t t261 = tb_min(tb_max(t229, TB_C(3.0)), TB_C(10.0));
-                const real_t t262 = TB_C(1.0) / tb_max(t218 * t218 + t217 * t217, TB_EPSILON);
-                const real_t t263 = t261 * t262;
-                const bool t264 = TB_ABS(t220) <= t62;
-                const real_t t265 = t219 * t263;
-                const real_t t266 = TB_C(1.0) / t220;
-                real_t t267, t268;
-                if (t264) {
-                    t267 = -TB_C(1000000000000.0);
-                    t268 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t269 = (t193 - t265) * t266;
-                    const real_t t270 = t266 * (t214 - t265);
-                    t267 = tb_min(t269, t270);
-                    t268 = tb_max(t269, t270);
-                }
-                const real_t t271 = t208 * t218 + t201 * t217;
-                const bool t272 = TB_ABS(t271) <= t62;
-                const real_t t273 = t221 * t263;
-                const real_t t274 = TB_C(1.0) / t271;
-                real_t t275, t276;
-                if (t272) {
-                    t275 = -TB_C(1000000000000.0);
-                    t276 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t277 = (t193 - t273) * t274;
-                    const real_t t278 = t274 * (t214 - t273);
-                    t275 = tb_min(t277, t278);
-                    t276 = tb_max(t277, t278);
-                }
-                const real_t t279 = tb_min(tb_max(TB_C(0.0), tb_max(t267, t275)), tb_min(t268,
-                    t276));
-                real_t t280;
-                if (TB_C(0.0) < TB_ABS(t279)) {
-                    const real_t t281 = t219 * t266;
-                    const real_t t282 = t221 * t274;
-                    const real_t t283 = TB_C(0.0) < t279 ? (t275 < t267 ? t281 : t282) : (t268
-                        < t276 ? t281 : t282);
-                    t280 = t279 * t283;
-                } else {
-                    t280 = TB_C(0.0);
-                }
-                const real_t t284 = t229 < t261 ? t280 - t263 : t263 - t280;
-                real_t t285;
-                if (TB_C(0.0) < t284) {
-                    const real_t t286 = t272 ? TB_C(0.0) : t227 * TB_ABS(t274);
-                    const real_t t287 = t264 ? TB_C(0.0) : t227 * TB_ABS(t266);
-                    const bool t288 = tb_max(t275 + t286, t267 + t287) < tb_min(t276 - t286,
-                        t268 - t287);
-                    t285 = t288 && t228 < t251 ? t284 : TB_C(0.0);
-                } else {
-                    t285 = TB_C(0.0);
-                }
-                t256 = t253 * t263 + (t254 - t255) * t279;
-                t257 = t273 + t271 * t279;
-                t258 = t265 + t220 * t279;
-                t259 = t261;
-                t260 = t285;
-            } else {
-                t256 = t230;
-                t257 = t231;
-                t258 = t232;
-                t259 = t229;
-                t260 = t233;
-            }
-            const real_t t289 = tb_max(t193 - t256, t256 - t214);
-            const bool t290 = TB_C(0.0) < t289;
-            real_t t291, t292, t293, t294, t295;
-            if (t290) {
-                const real_t t296 = tb_min(tb_max(t256, TB_C(3.0)), TB_C(10.0));
-                const real_t t297 = TB_C(1.0) / tb_max(t223 * t223 + t222 * t222, TB_EPSILON);
-                const real_t t298 = t296 * t297;
-                const real_t t299 = t226 * t298;
-                const real_t t300 = t208 * t223 + t201 * t222;
-                const real_t t301 = t255 - t254;
-                const bool t302 = TB_ABS(t301) <= t62;
-                const real_t t303 = t253 * t298;
-                const real_t t304 = TB_C(1.0) / t301;
-                real_t t305, t306;
-                if (t302) {
-                    t305 = -TB_C(1000000000000.0);
-                    t306 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t307 = (t193 - t303) * t304;
-                    const real_t t308 = t304 * (t214 - t303);
-                    t305 = tb_min(t307, t308);
-                    t306 = tb_max(t307, t308);
-                }
-                const bool t309 = TB_ABS(t225) <= t62;
-                const real_t t310 = t224 * t298;
-                const real_t t311 = TB_C(1.0) / t225;
-                real_t t312, t313;
-                if (t309) {
-                    t312 = -TB_C(1000000000000.0);
-                    t313 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t314 = (t193 - t310) * t311;
-                    const real_t t315 = t311 * (t214 - t310);
-                    t312 = tb_min(t314, t315);
-                    t313 = tb_max(t314, t315);
-                }
-                const bool t316 = TB_ABS(t300) <= t62;
-                const real_t t317 = TB_C(1.0) / t300;
-                real_t t318, t319;
-                if (t316) {
-                    t318 = -TB_C(1000000000000.0);
-                    t319 = TB_C(1000000000000.0);
-                } else {
-                    const real_t t320 = (t193 - t299) * t317;
-                    const real_t t321 = t317 * (t214 - t299);
-                    t318 = tb_min(t320, t321);
-                    t319 = tb_max(t320, t321);
-                }
-                const real_t t322 = tb_max(t312, t318);
-                const real_t t323 = tb_min(t313, t319);
-                const real_t t324 = tb_min(tb_max(TB_C(0.0), tb_max(t305, t322)), tb_min(t306,
-                    t323));
-                real_t t325;
-                if (TB_C(0.0) < TB_ABS(t324)) {
-                    const real_t t326 = t253 * t304;
-                    const real_t t327 = t224 * t311;
-                    const real_t t328 = t226 * t317;
-                    real_t t329;
-                    if (TB_C(0.0) < t324) {
-                        t329 = t322 < t305 ? t326 : (t318 < t312 ? t327 : t328);
+                const real_t t133 = TB_SQRT(t109 + (t107 + (t102 + t104)));
+                const real_t t134 = TB_COPYSIGN(t133, t2);
+                const real_t t135 = t2 + t134;
+                const real_t t136 = TB_C(1.0) / (t133 * (t133 + TB_ABS(t2)));
+                const real_t t137 = (t114 + (t112 - t7 * t135) - t115) * t136;
+                const real_t t138 = t6 - t8 * t137;
+                const real_t t139 = t14 - t15 * t137;
+                const real_t t140 = t20 + t21 * t137;
+                const real_t t141 = TB_SQRT(t138 * t138 + t139 * t139 + t140 * t140);
+                const real_t t142 = TB_COPYSIGN(t141, t138);
+                const real_t t143 = TB_C(1.0) / tb_min(TB_ABS(t134), TB_ABS(t142));
+                const real_t t144 = TB_EPSILON * TB_C(30.0) * t143;
+                const real_t t145 = TB_C(3.0) - t144;
+                const real_t t146 = TB_C(1.0) / (t141 * (t141 + TB_ABS(t138)));
+                const real_t t147 = t139 * t146;
+                const real_t t148 = TB_C(1.0) - t139 * t147;
+                const real_t t149 = t138 + t142;
+                const real_t t150 = t147 * t149;
+                const real_t t151 = t140 * t147;
+                const real_t t152 = t136 * (t15 * t148 - t8 * t150 + t21 * t151);
+                const real_t t153 = t135 * t152;
+                const real_t t154 = t150 + t8 * t152;
+                const real_t t155 = t140 * t146;
+                const real_t t156 = t149 * t155;
+                const real_t t157 = t139 * t155;
+                const real_t t158 = TB_C(1.0) - t140 * t155;
+                const real_t t159 = t136 * (t8 * t156 + t15 * t157 + t21 * t158);
+                const real_t t160 = t135 * t159;
+                const real_t t161 = t8 * t159 - t156;
+                const real_t t162 = t153 * t154 + t160 * t161;
+                const real_t t163 = t144 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+                const real_t t164 = t163 / tb_max(t153 * t153 + t160 * t160, TB_EPSILON);
+                const real_t t165 = t162 * t164;
+                const real_t t166 = TB_C(10.0) + t144;
+                const real_t t167 = tb_max(t145 - t165, t165 - t166);
+                const bool t168 = TB_C(0.0) < t167;
+                const real_t t169 = t15 * t159 - t157;
+                const real_t t170 = t148 - t15 * t152;
+                const real_t t171 = t161 * t169 - t154 * t170;
+                const real_t t172 = t154 * t169 + t161 * t170;
+                const real_t t173 = TB_EPSILON * TB_C(16.0);
+                const real_t t174 = t160 * t169 - t153 * t170;
+                const real_t t175 = t158 - t21 * t159;
+                const real_t t176 = t21 * t152 - t151;
+                const real_t t177 = t161 * t175 - t154 * t176;
+                const real_t t178 = t154 * t175 + t161 * t176;
+                const real_t t179 = t160 * t175 - t153 * t176;
+                const real_t t180 = t144 * TB_C(2.0);
+                const real_t t181 = t144 * TB_C(1024.0);
+                real_t t182, t183, t184, t185, t186;
+                if (t168) {
+                    const real_t t187 = tb_min(tb_max(t165, TB_C(3.0)), TB_C(10.0));
+                    const real_t t188 = TB_C(1.0) / tb_max(t154 * t154 + t161 * t161,
+                        TB_EPSILON);
+                    const real_t t189 = t187 * t188;
+                    const real_t t190 = t153 * t161 - t154 * t160;
+                    const bool t191 = TB_ABS(t190) <= t173;
+                    const real_t t192 = t162 * t189;
+                    const real_t t193 = TB_C(1.0) / t190;
+                    real_t t194, t195;
+                    if (t191) {
+                        t194 = -TB_C(1000000000000.0);
+                        t195 = TB_C(1000000000000.0);
                     } else {
-                        t329 = t306 < t323 ? t326 : (t313 < t319 ? t327 : t328);
+                        const real_t t196 = (t145 - t192) * t193;
+                        const real_t t197 = t193 * (t166 - t192);
+                        t194 = tb_min(t196, t197);
+                        t195 = tb_max(t196, t197);
                     }
-                    t325 = t324 * t329;
+                    const real_t t198 = tb_min(tb_max(TB_C(0.0), t194), t195);
+                    const real_t t199 = TB_C(0.0) < TB_ABS(t198) ? t198 * (t162 * t193) :
+                        TB_C(0.0);
+                    const real_t t200 = t165 < t187 ? t199 - t189 : t189 - t199;
+                    real_t t201;
+                    if (TB_C(0.0) < t200) {
+                        const real_t t202 = t191 ? TB_C(0.0) : t180 * TB_ABS(t193);
+                        const real_t t203 = t194 + t202 < t195 - t202 && t181 < t167 ? t200 :
+                            TB_C(0.0);
+                        t201 = t203;
+                    } else {
+                        t201 = TB_C(0.0);
+                    }
+                    t182 = t171 * t189 - t172 * t198;
+                    t183 = t189 * t177 - t198 * t178;
+                    t184 = t192 + t190 * t198;
+                    t185 = t187;
+                    t186 = t201;
                 } else {
-                    t325 = TB_C(0.0);
+                    t182 = t164 * t174;
+                    t183 = t164 * t179;
+                    t184 = t163;
+                    t185 = t165;
+                    t186 = TB_C(0.0);
                 }
-                const real_t t330 = t256 < t296 ? t325 - t298 : t298 - t325;
-                real_t t331;
-                if (TB_C(0.0) < t330) {
-                    const real_t t332 = t316 ? TB_C(0.0) : t227 * TB_ABS(t317);
-                    const real_t t333 = t309 ? TB_C(0.0) : t227 * TB_ABS(t311);
-                    const real_t t334 = t302 ? TB_C(0.0) : t227 * TB_ABS(t304);
-                    const real_t t335 = tb_max(tb_max(t318 + t332, t312 + t333), t305 + t334);
-                    const real_t t336 = tb_min(tb_min(t319 - t332, t313 - t333), t306 - t334);
-                    t331 = t335 < t336 && t228 < t289 ? t330 : TB_C(0.0);
+                const real_t t204 = tb_max(t145 - t182, t182 - t166);
+                const bool t205 = TB_C(0.0) < t204;
+                const real_t t206 = t170 * t176 + t169 * t175;
+                const real_t t207 = t170 * t175;
+                const real_t t208 = t169 * t176;
+                real_t t209, t210, t211, t212, t213;
+                if (t205) {
+                    const real_t t214 = tb_min(tb_max(t182, TB_C(3.0)), TB_C(10.0));
+                    const real_t t215 = TB_C(1.0) / tb_max(t170 * t170 + t169 * t169,
+                        TB_EPSILON);
+                    const real_t t216 = t214 * t215;
+                    const bool t217 = TB_ABS(t172) <= t173;
+                    const real_t t218 = t171 * t216;
+                    const real_t t219 = TB_C(1.0) / t172;
+                    real_t t220, t221;
+                    if (t217) {
+                        t220 = -TB_C(1000000000000.0);
+                        t221 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t222 = (t145 - t218) * t219;
+                        const real_t t223 = t219 * (t166 - t218);
+                        t220 = tb_min(t222, t223);
+                        t221 = tb_max(t222, t223);
+                    }
+                    const real_t t224 = t160 * t170 + t153 * t169;
+                    const bool t225 = TB_ABS(t224) <= t173;
+                    const real_t t226 = t174 * t216;
+                    const real_t t227 = TB_C(1.0) / t224;
+                    real_t t228, t229;
+                    if (t225) {
+                        t228 = -TB_C(1000000000000.0);
+                        t229 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t230 = (t145 - t226) * t227;
+                        const real_t t231 = t227 * (t166 - t226);
+                        t228 = tb_min(t230, t231);
+                        t229 = tb_max(t230, t231);
+                    }
+                    const real_t t232 = tb_min(tb_max(TB_C(0.0), tb_max(t220, t228)),
+                        tb_min(t221, t229));
+                    real_t t233;
+                    if (TB_C(0.0) < TB_ABS(t232)) {
+                        const real_t t234 = t171 * t219;
+                        const real_t t235 = t174 * t227;
+                        const real_t t236 = TB_C(0.0) < t232 ? (t228 < t220 ? t234 : t235) :
+                            (t221 < t229 ? t234 : t235);
+                        t233 = t232 * t236;
+                    } else {
+                        t233 = TB_C(0.0);
+                    }
+                    const real_t t237 = t182 < t214 ? t233 - t216 : t216 - t233;
+                    real_t t238;
+                    if (TB_C(0.0) < t237) {
+                        const real_t t239 = t225 ? TB_C(0.0) : t180 * TB_ABS(t227);
+                        const real_t t240 = t217 ? TB_C(0.0) : t180 * TB_ABS(t219);
+                        const bool t241 = tb_max(t228 + t239, t220 + t240) < tb_min(t229 -
+                            t239, t221 - t240);
+                        t238 = t241 && t181 < t204 ? t237 : TB_C(0.0);
+                    } else {
+                        t238 = TB_C(0.0);
+                    }
+                    t209 = t206 * t216 + (t207 - t208) * t232;
+                    t210 = t226 + t224 * t232;
+                    t211 = t218 + t172 * t232;
+                    t212 = t214;
+                    t213 = t238;
                 } else {
-                    t331 = TB_C(0.0);
+                    t209 = t183;
+                    t210 = t184;
+                    t211 = t185;
+                    t212 = t182;
+                    t213 = t186;
                 }
-                t291 = t299 + t300 * t324;
-                t292 = t310 + t225 * t324;
-                t293 = t303 + t301 * t324;
-                t294 = t296;
-                t295 = t331;
-            } else {
-                t291 = t257;
-                t292 = t258;
-                t293 = t259;
-                t294 = t256;
-                t295 = t260;
+                const real_t t242 = tb_max(t145 - t209, t209 - t166);
+                const bool t243 = TB_C(0.0) < t242;
+                real_t t244, t245, t246, t247, t248;
+                if (t243) {
+                    const real_t t249 = tb_min(tb_max(t209, TB_C(3.0)), TB_C(10.0));
+                    const real_t t250 = TB_C(1.0) / tb_max(t176 * t176 + t175 * t175,
+                        TB_EPSILON);
+                    const real_t t251 = t249 * t250;
+                    const real_t t252 = t179 * t251;
+                    const real_t t253 = t160 * t176 + t153 * t175;
+                    const real_t t254 = t208 - t207;
+                    const bool t255 = TB_ABS(t254) <= t173;
+                    const real_t t256 = t206 * t251;
+                    const real_t t257 = TB_C(1.0) / t254;
+                    real_t t258, t259;
+                    if (t255) {
+                        t258 = -TB_C(1000000000000.0);
+                        t259 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t260 = (t145 - t256) * t257;
+                        const real_t t261 = t257 * (t166 - t256);
+                        t258 = tb_min(t260, t261);
+                        t259 = tb_max(t260, t261);
+                    }
+                    const bool t262 = TB_ABS(t178) <= t173;
+                    const real_t t263 = t177 * t251;
+                    const real_t t264 = TB_C(1.0) / t178;
+                    real_t t265, t266;
+                    if (t262) {
+                        t265 = -TB_C(1000000000000.0);
+                        t266 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t267 = (t145 - t263) * t264;
+                        const real_t t268 = t264 * (t166 - t263);
+                        t265 = tb_min(t267, t268);
+                        t266 = tb_max(t267, t268);
+                    }
+                    const bool t269 = TB_ABS(t253) <= t173;
+                    const real_t t270 = TB_C(1.0) / t253;
+                    real_t t271, t272;
+                    if (t269) {
+                        t271 = -TB_C(1000000000000.0);
+                        t272 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t273 = (t145 - t252) * t270;
+                        const real_t t274 = t270 * (t166 - t252);
+                        t271 = tb_min(t273, t274);
+                        t272 = tb_max(t273, t274);
+                    }
+                    const real_t t275 = tb_max(t265, t271);
+                    const real_t t276 = tb_min(t266, t272);
+                    const real_t t277 = tb_min(tb_max(TB_C(0.0), tb_max(t258, t275)),
+                        tb_min(t259, t276));
+                    real_t t278;
+                    if (TB_C(0.0) < TB_ABS(t277)) {
+                        const real_t t279 = t206 * t257;
+                        const real_t t280 = t177 * t264;
+                        const real_t t281 = t179 * t270;
+                        real_t t282;
+                        if (TB_C(0.0) < t277) {
+                            t282 = t275 < t258 ? t279 : (t271 < t265 ? t280 : t281);
+                        } else {
+                            t282 = t259 < t276 ? t279 : (t266 < t272 ? t280 : t281);
+                        }
+                        t278 = t277 * t282;
+                    } else {
+                        t278 = TB_C(0.0);
+                    }
+                    const real_t t283 = t209 < t249 ? t278 - t251 : t251 - t278;
+                    real_t t284;
+                    if (TB_C(0.0) < t283) {
+                        const real_t t285 = t269 ? TB_C(0.0) : t180 * TB_ABS(t270);
+                        const real_t t286 = t262 ? TB_C(0.0) : t180 * TB_ABS(t264);
+                        const real_t t287 = t255 ? TB_C(0.0) : t180 * TB_ABS(t257);
+                        const real_t t288 = tb_max(tb_max(t271 + t285, t265 + t286), t258 +
+                            t287);
+                        const real_t t289 = tb_min(tb_min(t272 - t285, t266 - t286), t259 -
+                            t287);
+                        t284 = t288 < t289 && t181 < t242 ? t283 : TB_C(0.0);
+                    } else {
+                        t284 = TB_C(0.0);
+                    }
+                    t244 = t252 + t253 * t277;
+                    t245 = t263 + t178 * t277;
+                    t246 = t256 + t254 * t277;
+                    t247 = t249;
+                    t248 = t284;
+                } else {
+                    t244 = t210;
+                    t245 = t211;
+                    t246 = t212;
+                    t247 = t209;
+                    t248 = t213;
+                }
+                const real_t t290 = tb_min(tb_max(t244, TB_C(3.0)), TB_C(10.0));
+                const real_t t291 = tb_min(tb_max(t245, TB_C(3.0)), TB_C(10.0));
+                const real_t t292 = tb_min(tb_max(t246, TB_C(3.0)), TB_C(10.0));
+                const real_t t293 = tb_min(tb_max(t247, TB_C(3.0)), TB_C(10.0));
+                const real_t t294 = tb_min(tb_min(tb_min(t290, t291), t292), t293) /
+                    tb_max(tb_max(tb_max(t290, t291), t292), t293);
+                const real_t t295 = TB_ABS(t2 * t290 + t8 * t291 + t15 * t292 - t21 * t293);
+                const real_t t296 = TB_ABS(t6 * t291 - t7 * t290 + t14 * t292 + t20 * t293);
+                const real_t t297 = tb_max(tb_max(t248, t295), t296) - t143 * (TB_EPSILON *
+                    TB_C(1280.0));
+                t130 = t294;
+                t131 = t297;
             }
-            const real_t t337 = tb_min(tb_max(t291, TB_C(3.0)), TB_C(10.0));
-            const real_t t338 = tb_min(tb_max(t292, TB_C(3.0)), TB_C(10.0));
-            const real_t t339 = tb_min(tb_max(t293, TB_C(3.0)), TB_C(10.0));
-            const real_t t340 = tb_min(tb_max(t294, TB_C(3.0)), TB_C(10.0));
-            const real_t t341 = tb_max(tb_max(tb_max(t337, t338), t339), t340);
-            const real_t t342 = tb_min(tb_min(tb_min(t337, t338), t339), t340) / (TB_C(0.0) <
-                t341 ? t341 : TB_C(1.0));
-            const real_t t343 = TB_ABS(t2 * t337 + t8 * t338 + t15 * t339 - t21 * t340);
-            const real_t t344 = TB_ABS(t6 * t338 - t7 * t337 + t14 * t339 + t20 * t340);
-            const real_t t345 = tb_max(tb_max(t295, t343), t344) - t191 * (TB_EPSILON *
-                TB_C(1280.0));
-            t177 = t342;
-            t178 = t345;
+            t98 = t130;
+            t99 = t131;
         }
-        factor_0 = t177;
-        t45 = t178;
+        factor_0 = t98;
+        t39 = t99;
     } else {
         factor_0 = TB_C(0.0);
-        t45 = TB_C(0.0);
+        t39 = TB_C(0.0);
     }
     const real_t force_0 = tb_max(TB_C(0.0), margin_0);
-    const bool t346 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
-    const bool t347 = t346 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
-    const bool t348 = !t347;
-    const bool t349 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0)) < t44;
-    const bool t350 = !t349;
-    const bool t351 = !(t45 <= TB_C(0.0));
-    const bool t352 = !t36;
-    if (t348) {
+    const bool t298 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t299 = t298 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t300 = !t299;
+    const real_t t301 = t9 * t9 + t16 * t16 + t22 * t22 + t29 * t29 + t31 * t31;
+    const bool t302 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0)) < TB_SQRT((t301 + t34 *
+        t34) * TB_C(0.5));
+    const bool t303 = !t302;
+    const bool t304 = !(t39 <= TB_C(0.0));
+    const bool t305 = !t38;
+    if (t300) {
         margin[0] = TB_C(0.0);
         factor[0] = TB_C(0.0);
         force[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t350) {
+    if (t303) {
         margin[0] = TB_C(0.0);
         factor[0] = TB_C(0.0);
         force[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t351) {
+    if (t304) {
         margin[0] = TB_C(0.0);
         factor[0] = TB_C(0.0);
         force[0] = TB_C(0.0);
@@ -1272,7 +1169,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t ma
     margin[0] = margin_0;
     factor[0] = factor_0;
     force[0] = force_0;
-    return t352 ? TB_INFEASIBLE : TB_OK;
+    return t305 ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1])

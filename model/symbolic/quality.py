@@ -1,13 +1,13 @@
 """How good a pose is: tension factor and isotropic force, Yoon section III-A and III-B."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
 from model.machine import Machine
 from model.symbolic import arguments, kinematics
 from model.symbolic.function import (
+    EPSILON,
     Input,
     Label,
     ModelFunction,
@@ -18,7 +18,8 @@ from model.symbolic.function import (
     vector_output,
 )
 from model.symbolic.linear import dot, norm, transpose
-from model.symbolic.null_space import NullSpace, factored
+from model.symbolic.null_space import factored
+from model.symbolic.rest import from_neighbours
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
@@ -26,13 +27,15 @@ from model.symbolic.scalar import (
     any_of,
     largest,
     smallest,
+    sqrt,
+    total,
     where,
 )
 from model.symbolic.tension import (
     KKT_TOLERANCE,
+    QUICK_TOLERANCE,
     Solution,
     least_norm_tension,
-    methods,
     rank_lost,
     rounding,
 )
@@ -41,12 +44,8 @@ from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
 
 @dataclass(frozen=True)
 class Attempt:
-    """TF from one way to find T0; `excess` is what T0 misses of its own check [N], 0 for nothing.
+    """TF from one way to find T0; `excess` is by how much T0 misses its check [N], if positive."""
 
-    `space` is the null space that was found on the way.
-    """
-
-    space: NullSpace
     factor: Scalar
     excess: Scalar
 
@@ -75,18 +74,33 @@ class Rig:
         """T0, the least-norm tensions that hold the platform without any force on it."""
         return least_norm_tension(self.matrix, self.zero, self.space, *self.bounds)
 
-    def attempt(self, method: Callable[[Matrix, Vector], NullSpace], tolerance: float) -> Attempt:
-        """TF by one method of the tension distribution, held to its tolerance."""
-        space = method(self.matrix, self.zero)
-        rest = least_norm_tension(self.matrix, self.zero, space, *self.bounds)
-        most = largest(rest.tension)
-        factor = smallest(rest.tension) / where(most > 0, most, 1)
-        limit = rounding(tolerance, ca.SX(self.machine.tension.max), space)
-        return Attempt(space, factor, rest.kkt_residual - limit)
+    def attempts(self) -> list[Attempt]:
+        """TF in every way that this machine has, the quickest first; each checks itself."""
+        low, high = self.bounds
+        if not low:
+            return [Attempt(ca.SX(0), ca.SX(0))]
+        rest = self.at_rest()
+        limit = rounding(KKT_TOLERANCE, ca.SX(high), self.space)
+        always = Attempt(ratio(rest.tension), rest.kkt_residual - limit)
+        if self.machine.dof != 2:
+            return [always]
+        limit = QUICK_TOLERANCE * EPSILON * high
+        neighbours = from_neighbours(self.rays, low, high, limit)
+        guesses = neighbours, neighbours.improved()
+        return [*(Attempt(ratio(each.tension), each.miss - limit) for each in guesses), always]
 
     def touching(self) -> Verdict:
         """The platform is at a pulley."""
         return kinematics.touches_a_pulley(self.lengths)
+
+    def parallel(self) -> Verdict:
+        """The cables are parallel: by det S S' (Cauchy-Binet) in the plane, which is quick."""
+        if self.machine.dof != 2:
+            return rank_lost(self.space)
+        crosses = self.wrench_set.crosses
+        squares = [x * x for i, row in enumerate(crosses) for x in row[i + 1 :]]
+        pivot = sqrt(total(squares) / (len(self.rays) / 2))
+        return rank_lost(replace(self.space, pivots=[pivot]))
 
     def outside(self) -> Verdict:
         """The pose is outside the zero-wrench workspace."""
@@ -95,6 +109,11 @@ class Rig:
             Status.INFEASIBLE,
             "the pose is outside the wrench-feasible workspace for zero wrench",
         )
+
+
+def ratio(tension: Vector) -> Scalar:
+    """Least over largest tension."""
+    return smallest(tension) / largest(tension)
 
 
 def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
@@ -156,13 +175,13 @@ def isotropic_force_function(machine: Machine) -> ModelFunction:
 def pose_quality_function(machine: Machine) -> ModelFunction:
     """All that a map of poses shows, without doing common work twice.
 
-    The quickest method is asked for T0 first, the next one where that fails its check, and none
-    where the zero wrench is infeasible.
+    The quickest way to T0 is gone first, the next one where that fails its check, and none where
+    the zero wrench is infeasible.
     """
     rig = Rig(machine)
     outside = rig.outside()
     margin = rig.wrench_set.inner_radius()
-    attempts = [rig.attempt(method, tolerance) for _, method, tolerance, _ in methods(machine)]
+    attempts = rig.attempts()
     factor, excess = attempts[-1].factor, attempts[-1].excess
     for attempt in reversed(attempts[:-1]):
         holds = attempt.excess <= 0
@@ -176,7 +195,7 @@ def pose_quality_function(machine: Machine) -> ModelFunction:
         "pose_quality",
         "What a map shows of a pose: capacity margin, least distance of the zero wrench from a "
         "facet of the feasible forces, negative outside; TF = min(T0) / max(T0), 0 outside and "
-        "where T0 = 0; I_F = max(0, margin). Every force up to F is feasible where margin >= F",
+        "for T_min = 0; I_F = max(0, margin). Every force up to F is feasible where margin >= F",
         "Yoon section III-A, eq. 13; Guay et al. 2014",
         rig.inputs,
         (
@@ -184,7 +203,7 @@ def pose_quality_function(machine: Machine) -> ModelFunction:
             scalar_output("factor", "1", where(outside.condition, 0, factor)),
             scalar_output("force", "N", ca.fmax(0, margin)),
         ),
-        (rig.touching(), rank_lost(attempts[0].space), inaccurate, outside),
+        (rig.touching(), rig.parallel(), inaccurate, outside),
         (kinematics.length_label(rig.lengths),),
     )
 

@@ -1,5 +1,6 @@
 """One call for a map gives what the functions it stands for give one by one."""
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -8,9 +9,11 @@ import pytest
 from codegen.bind import Generated, generate_into_build
 from codegen.expectation import TENSION_ROUNDINGS
 from codegen.hard_cases import HardSampler
+from codegen.samples import Sampler
 from codegen.verify import verify
-from model.machine import load_machine
+from model.machine import Machine, load_machine
 from model.symbolic.function import Status
+from model.symbolic.tension import QUICK_TOLERANCE
 
 POINTS = 20_000
 
@@ -25,12 +28,18 @@ def without_pretension(tmp_path_factory: pytest.TempPathFactory, stock_file: Pat
     return path
 
 
-@pytest.mark.parametrize("precision", ["double", "single"])
-def test_factor_and_force_are_those_of_their_own_functions(
-    precision: str, request: pytest.FixtureRequest
-) -> None:
-    generated: Generated = request.getfixturevalue(precision)
-    sampler = HardSampler(generated.machine, 3, POINTS)
+@pytest.fixture
+def without_guesses(stock: Machine, stock_folder: Path, tmp_path: Path) -> Generated:
+    """The stock machine's C with guesses of T0 that always fail their check."""
+    folder = Path(shutil.copytree(stock_folder, tmp_path / "generated"))
+    path, limit = folder / "tb_quality.c", f"TB_C({QUICK_TOLERANCE * stock.tension.max!r})"
+    text = path.read_text()
+    assert text.count(f"{limit} * TB_EPSILON") == 1
+    path.write_text(text.replace(f"{limit} * TB_EPSILON", f"-{limit}"))
+    return Generated(stock, folder, "double")
+
+
+def assert_same_quality(generated: Generated, sampler: Sampler) -> None:
     factor, force, both = (
         getattr(generated, name)(sampler.pose, sampler.rails)
         for name in ("tension_factor", "isotropic_force", "pose_quality")
@@ -43,6 +52,26 @@ def test_factor_and_force_are_those_of_their_own_functions(
     assert np.mean(compared) > 0.8
     assert np.array_equal(both.force[compared], force[compared])
     assert np.array_equal(both.force, np.maximum(both.margin, 0))
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_factor_and_force_are_those_of_their_own_functions(
+    precision: str, request: pytest.FixtureRequest
+) -> None:
+    generated: Generated = request.getfixturevalue(precision)
+    assert_same_quality(generated, HardSampler(generated.machine, 3, POINTS))
+
+
+def test_where_every_guess_fails_the_exact_solve_answers_the_same(
+    without_guesses: Generated, double: Generated
+) -> None:
+    sampler = HardSampler(double.machine, 5, POINTS)
+    assert_same_quality(without_guesses, sampler)
+    guessed, exact = (
+        generated.pose_quality(sampler.pose, sampler.rails).factor
+        for generated in (double, without_guesses)
+    )
+    assert np.any(guessed != exact)
 
 
 def test_outside_the_workspace_the_margin_says_how_far(double: Generated) -> None:
