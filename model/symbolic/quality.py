@@ -1,6 +1,6 @@
 """How good a pose is: tension factor and isotropic force, Yoon section III-A and III-B."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -27,7 +27,6 @@ from model.symbolic.scalar import (
     any_of,
     largest,
     smallest,
-    sqrt,
     total,
     where,
 )
@@ -36,6 +35,7 @@ from model.symbolic.tension import (
     QUICK_TOLERANCE,
     Solution,
     least_norm_tension,
+    least_pivot,
     rank_lost,
     rounding,
 )
@@ -85,7 +85,7 @@ class Rig:
         if self.machine.dof != 2:
             return [always]
         limit = QUICK_TOLERANCE * EPSILON * high
-        neighbours = from_neighbours(self.rays, low, high, limit)
+        neighbours = from_neighbours(self.wrench_set, limit)
         guesses = neighbours, neighbours.improved()
         return [*(Attempt(ratio(each.tension), each.miss - limit) for each in guesses), always]
 
@@ -94,13 +94,13 @@ class Rig:
         return kinematics.touches_a_pulley(self.lengths)
 
     def parallel(self) -> Verdict:
-        """The cables are parallel: by det S S' (Cauchy-Binet) in the plane, which is quick."""
+        """The cables are parallel: by det S S' (Cauchy-Binet) in the plane, without a root."""
         if self.machine.dof != 2:
             return rank_lost(self.space)
         crosses = self.wrench_set.crosses
         squares = [x * x for i, row in enumerate(crosses) for x in row[i + 1 :]]
-        pivot = sqrt(total(squares) / (len(self.rays) / 2))
-        return rank_lost(replace(self.space, pivots=[pivot]))
+        square = total(squares) / (len(self.rays) / 2)
+        return not_all_above([square], least_pivot() * least_pivot(), "the cables are parallel")
 
     def outside(self) -> Verdict:
         """The pose is outside the zero-wrench workspace."""

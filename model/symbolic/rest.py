@@ -10,7 +10,8 @@ from functools import cached_property
 import casadi as ca
 
 from model.symbolic.linear import add_scaled, cross, dot, multiply, solve_positive, transpose
-from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, total, where
+from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, where
+from model.symbolic.wrench_set import WrenchSet
 
 #: Less than any product of forces and directions, in N; safe in single precision.
 NEVER = -1e30
@@ -59,27 +60,31 @@ class Guess:
         return Guess(self.columns, add_scaled(self.multiplier, -1, step), self.low, self.high)
 
 
-def from_neighbours(columns: Matrix, low: float, high: float, rounding: Scalar) -> Guess:
+def from_neighbours(feasible: WrenchSet, rounding: Scalar) -> Guess:
     """The guess that at most two cables exceed T_min.
 
-    With all at T_min the wrench `lack` is left to be exerted. Were a third cable between the two
-    that exceed T_min, s_k . m would exceed it as well: so the two are the neighbours of `lack`.
-    Where it is nothing but `rounding` [N], none exceeds T_min.
+    With all at T_min the wrench -share times `middle` is left to be exerted. Were a third cable
+    between the two that exceed T_min, s_k . m would exceed it as well: so the two are the
+    neighbours of that wrench. Where it is nothing but `rounding` [N], none exceeds T_min.
     """
-    lack = [-low * total(list(row)) for row in transpose(columns)]
-    beside = [cross(lack, column) for column in columns]
-    along = [dot(lack, column) for column in columns]
+    columns, middle, low, high = feasible.columns, feasible.middle, feasible.low, feasible.high
+    share = low / ((low + high) / 2)
+    beside = feasible.heights(middle)
+    along = [-dot(column, middle) for column in columns]
     left, right = (
         nearest([where(side, key, NEVER) for side, key in zip(sides, along, strict=True)], columns)
         for sides in ([x >= 0 for x in beside], [x < 0 for x in beside])
     )
     sine = cross(right, left)
-    tensions = [low + cross(lack, left) / sine, low - cross(lack, right) / sine]
+    tensions = [
+        low + share * cross(left, middle) / sine,
+        low - share * cross(right, middle) / sine,
+    ]
     inverse = [
         (tensions[0] * left[1] - tensions[1] * right[1]) / sine,
         (tensions[1] * right[0] - tensions[0] * left[0]) / sine,
     ]
-    balanced = largest([ca.fabs(entry) for entry in lack]) <= rounding
+    balanced = share * largest([ca.fabs(entry) for entry in middle]) <= rounding
     return Guess(columns, [where(balanced, 0, entry) for entry in inverse], low, high)
 
 

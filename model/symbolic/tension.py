@@ -226,8 +226,12 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
 
 def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
-    limit = ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
-    return not_all_above(space.pivots, limit, "the cables are parallel")
+    return not_all_above(space.pivots, least_pivot(), "the cables are parallel")
+
+
+def least_pivot() -> Scalar:
+    """No larger, a pivot of the structure matrix counts as zero."""
+    return ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
 
 
 def functions(machine: Machine) -> list[ModelFunction]:
