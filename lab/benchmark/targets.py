@@ -40,8 +40,8 @@ def map_targets(maps: Sequence[MapTable]) -> list[Target]:
     return [
         Target("map, million poses a second", 3.0, slowest / 1e6),
         Target("map, vectorised NumPy", 10.0, against(NUMPY)),
-        Target("map, loop over quadprog and SciPy", 1000.0, against(LOOP)),
-        Target("map, time a pose over that in one 16 times as large", 0.9, 1 / against(LARGE)),
+        Target("map, loop over quadprog, SciPy", 1000.0, against(LOOP)),
+        Target("map, linear over 16 times the poses", 0.9, 1 / against(LARGE)),
     ]
 
 
