@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from codegen.bind import Generated, generate_into_build
-from codegen.judges.tensions import TENSION_ROUNDINGS
 from codegen.hard_cases import HardSampler
+from codegen.judges.tensions import TENSION_ROUNDINGS
 from codegen.samples import Sampler
 from codegen.verify import verify
 from model.machine import Machine, load_machine
