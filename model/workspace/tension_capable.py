@@ -12,7 +12,8 @@ from itertools import combinations, pairwise
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.feasible import wrench_closure
+from model.workspace.feasible import feasible, wrench_closure
+from model.workspace.force import isotropic_force
 from model.workspace.gaps import adjacent_gaps
 from model.workspace.rows import Array
 
@@ -121,29 +122,50 @@ class Arc:
 
 
 @dataclass(frozen=True)
-class CapableRegion:
-    """The TCW of three or four fixed pulleys for a ratio F / t_max, with its exact boundary.
-
-    The arcs run counter-clockwise around it; area [m^2]; share of the polygon of the pulleys,
-    which is the theoretical workspace; best_ratio, the largest that leaves a TCW.
-    """
+class Capability:
+    """How much is tension capable at a ratio F / t_max: its share, and the best ratio of all."""
 
     ratio: float
-    arcs: tuple[Arc, ...]
-    area: float
     share: float
     best_ratio: float
 
     def __str__(self) -> str:
-        if not self.arcs:
+        if self.share == 0:
             return (
                 f"the tension capable workspace is empty: F / t_max = {self.ratio:.4g} is wanted"
                 f" in every direction, and no pose gives more than {self.best_ratio:.4g}"
             )
-        return (
-            f"F / t_max = {self.ratio:.4g} is given in every direction"
-            f" on {self.share:.2%} of the theoretical workspace"
-        )
+        return f"F / t_max = {self.ratio:.4g} is given in every direction on {self.share:.2%}"
+
+
+@dataclass(frozen=True)
+class CapableRegion(Capability):
+    """The TCW of three or four fixed pulleys for a ratio F / t_max, with its exact boundary.
+
+    `share` is of the polygon of the pulleys, which is the theoretical workspace. The arcs run
+    counter-clockwise around the TCW; area [m^2].
+    """
+
+    arcs: tuple[Arc, ...]
+    area: float
+
+    def __str__(self) -> str:
+        text = super().__str__()
+        return text + " of the theoretical workspace" if self.arcs else text
+
+
+def capability(
+    structure: npt.ArrayLike, lower: float, upper: float, force: float, space: int | None = None
+) -> Capability:
+    """How many of the poses (rows, d, n) give `force` [N] in every direction, for any machine.
+
+    Bounds [N], `space` as for `force.isotropic_force`. Poses on a pulley do not count as capable.
+    """
+    s = np.asarray(structure, np.float64)
+    strength = np.nan_to_num(isotropic_force(s, lower, upper, space), nan=0.0)
+    capable = feasible(strength - force, s, upper, force)
+    best = float(np.max(strength, initial=0.0))
+    return Capability(force / upper, float(np.mean(capable)), best / upper)
 
 
 def capable_region(pulleys: npt.ArrayLike, ratio: float) -> CapableRegion:
@@ -158,7 +180,8 @@ def capable_region(pulleys: npt.ArrayLike, ratio: float) -> CapableRegion:
         raise ValueError(f"F / t_max is {ratio}; allowed: a positive number")
     arcs = _boundary(corners, ratio)
     area = sum(arc.swept_area for arc in arcs)
-    return CapableRegion(ratio, arcs, area, area / _polygon_area(corners), _best_ratio(corners))
+    share = area / _polygon_area(corners)
+    return CapableRegion(ratio, share, _best_ratio(corners), arcs, area)
 
 
 def _convex_corners(pulleys: Array) -> Array:

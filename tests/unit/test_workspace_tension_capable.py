@@ -14,6 +14,7 @@ from model.workspace.max_tension import (
 )
 from model.workspace.tension_capable import (
     Arc,
+    capability,
     capable_by_gap,
     capable_ratio_eq23,
     capable_region,
@@ -154,6 +155,20 @@ def test_an_empty_workspace_is_a_result_that_says_so(pulleys: Doubles, ratio: fl
 
 def test_a_workspace_that_is_not_empty_tells_its_share() -> None:
     assert "63.77%" in str(capable_region(SQUARE, 0.5))
+
+
+def test_any_machine_tells_how_much_of_its_grid_is_capable() -> None:
+    s = cables(SQUARE, brau_grid())
+    found = capability(s, 0, 10, 5)
+    assert found.share == 0.664 and found.best_ratio < 1
+    assert str(found) == "F / t_max = 0.5 is given in every direction on 66.40%"
+    centre = capability(cables(SQUARE, [[0, 0]]), 3, 10, 7)
+    assert centre.share == 1 and centre.best_ratio == pytest.approx(0.7, rel=8 * EPS)
+    five = capability(cables(polygon(5), poses_among(polygon(5), 500)), 1, 10, 15)
+    assert five.share == 0 and str(five).startswith("the tension capable workspace is empty")
+    with np.errstate(invalid="ignore"):
+        on_pulley = cables(SQUARE, [SQUARE[0], [0.0, 0.0]])
+    assert capability(on_pulley, 0, 10, 5).share == 0.5
 
 
 def test_arcs_are_refused_where_they_are_not_the_boundary() -> None:
