@@ -21,6 +21,7 @@ from model.workspace.force import (
     zero_wrench_tension,
 )
 from model.workspace.least_norm import least_norm_tension
+from model.workspace.max_tension import needed_tension
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")
@@ -162,6 +163,8 @@ def test_a_platform_whose_cables_give_no_moment_still_has_its_forces() -> None:
     for s in (forces, np.vstack([turn @ forces[:2], forces[2:]])):
         assert isotropic_force(s, LOWER, UPPER, space=2) == pytest.approx(7, rel=20 * EPS)
         assert isotropic_force(s, LOWER, UPPER) == pytest.approx(0, abs=NEWTON)
+        assert needed_tension(s, LOWER, 7.0, space=2) == pytest.approx(UPPER, rel=20 * EPS)
+        assert np.isinf(needed_tension(s, LOWER, 7.0, 0.01, space=2))
         assert force_along(s, LOWER, UPPER, [0.6, 0.8, 0]) > 7
         assert force_along(s, LOWER, UPPER, [0, 0, 1]) == pytest.approx(0, abs=NEWTON)
 
