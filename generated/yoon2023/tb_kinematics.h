@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 50432a8f2739b2b6, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine f8aeb020fa724c7d, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 50432a8f2739b2b6, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine f8aeb020fa724c7d, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon2023"
-#define TB_MACHINE_HASH "50432a8f2739b2b6"
+#define TB_MACHINE_HASH "f8aeb020fa724c7d"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4
