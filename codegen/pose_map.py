@@ -65,14 +65,18 @@ class Tile:
 
 
 def target_grid(machine: Machine, columns: int, rows: int) -> Grid:
-    """The target area of a planar machine, its borders included, at no rotation."""
+    """The target's first two directions, its borders included; its centre in all others."""
     size, centre = machine.target.size, machine.target.centre
-    rest = (0.0,) * (machine.dof - 2)
-    corner = tuple(middle - extent / 2 for middle, extent in zip(centre, size, strict=True))
+    corner = [middle - extent / 2 for middle, extent in zip(centre[:2], size[:2], strict=True)]
+    rest = [*centre[2:], *[0.0] * (machine.dof - len(centre))]
+    still = [0.0] * (machine.dof - 2)
     across, up = (
-        extent / max(1, number - 1) for extent, number in zip(size, (columns, rows), strict=True)
+        extent / max(1, number - 1)
+        for extent, number in zip(size[:2], (columns, rows), strict=True)
     )
-    return Grid((*corner, *rest), (across, 0.0, *rest), (0.0, up, *rest), columns, rows)
+    return Grid(
+        (*corner, *rest), (across, 0.0, *still), (0.0, up, *still), columns=columns, rows=rows
+    )
 
 
 class PoseMap:
