@@ -15,6 +15,7 @@ from model.reference.kinematics import (
     moment_lever,
     structure_matrix,
 )
+from model.reference.minors import none_yet, normal, with_vector
 from model.reference.quality import (
     isotropic_force,
     isotropic_force_eq17,
@@ -23,7 +24,7 @@ from model.reference.quality import (
 )
 from model.reference.statics import rail_forces, wrench, wrench_share_eq10
 from model.reference.tension import wrench_feasible
-from model.reference.wrench_set import cofactors, margin, slabs
+from model.reference.wrench_set import margin, slabs
 
 MACHINES = [machine_of(name) for name in NAMES]
 IN_SPACE = [machine for machine in MACHINES if machine.kind != "planar-point"]
@@ -84,11 +85,14 @@ def test_a_set_that_has_shrunk_still_tells_its_wrenches_from_others() -> None:
 
 
 @pytest.mark.parametrize("d", [2, 3, 4, 6])
-def test_cofactors_complete_a_determinant(d: int) -> None:
+def test_the_normal_of_all_but_one_vector_completes_a_determinant(d: int) -> None:
     rng = np.random.default_rng(d)
     vectors, other = rng.normal(size=(50, d - 1, d)), rng.normal(size=(50, 1, d))
     expected = np.linalg.det(np.concatenate([other, vectors], axis=-2))
-    found = np.sum(cofactors(vectors) * other[:, 0], axis=-1)
+    minors = none_yet(vectors[:, 0, 0])
+    for vector in np.moveaxis(vectors, 1, 0):
+        minors = with_vector(minors, vector.T)
+    found = np.sum(normal(minors) * other[:, 0].T, axis=0)
     assert np.allclose(found, expected, rtol=0, atol=1e-12)
 
 
