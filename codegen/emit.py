@@ -176,8 +176,9 @@ def domain(function: ModelFunction) -> list[str]:
     for port in function.inputs:
         if port.size and port.guarded:
             lines += fill(f"Domain: {port.name} {span(port)}, else TB_OUT_OF_DOMAIN.", "")
-    for verdict in function.verdicts:
-        lines += fill(f"TB_{verdict.status.name}: {verdict.meaning}.", "")
+    # the parts of a loop may refuse for the same reason
+    for text in dict.fromkeys(f"TB_{v.status.name}: {v.meaning}." for v in function.verdicts):
+        lines += fill(text, "")
     return lines
 
 
