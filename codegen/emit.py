@@ -285,9 +285,9 @@ def domain(function: ModelFunction) -> list[str]:
     for port in function.inputs:
         if port.size and port.guarded:
             lines += fill(f"Domain: {port.name} {span(port)}, else TB_OUT_OF_DOMAIN.", "")
-    meanings = [f"TB_{verdict.status.name}: {verdict.meaning}." for verdict in function.verdicts]
-    for meaning in dict.fromkeys(meanings):
-        lines += fill(meaning, "")
+    # the parts of a loop may refuse for the same reason
+    for text in dict.fromkeys(f"TB_{v.status.name}: {v.meaning}." for v in function.verdicts):
+        lines += fill(text, "")
     return lines
 
 

@@ -64,13 +64,20 @@ class Place:
         """Where a cable has no direction."""
         return (kinematics.touches_a_pulley(self.cables.clearances),)
 
-    def labels(self) -> tuple[Label, ...]:
-        """Names the straight lengths."""
+    def parts(self) -> tuple[Label, ...]:
+        """Names what a length is made of."""
+        arms = [entry for arm in self.cables.arms for entry in arm]
         free = [span.free for span in self.cables.spans]
+        named = [Label("arm", arms, "R p_i, from the platform's centre to its anchors")]
+        named += [Label("free", free, "length of the straight part")] if self.words.wraps else []
+        return tuple(label for label in named if label.values)
+
+    def labels(self) -> tuple[Label, ...]:
+        """Names the straight lengths too."""
         if self.words.wraps:
-            return (Label("free", free, "length of the straight part"),)
+            return self.parts()
         source = f"l_i = |{self.words.vector}|, {self.words.lengths_source}"
-        return (kinematics.length_label(free, source),)
+        return (*self.parts(), kinematics.length_label(self.cables.lengths, source))
 
 
 def base_points_function(machine: Machine) -> ModelFunction:
@@ -96,6 +103,7 @@ def cable_vectors_function(machine: Machine) -> ModelFunction:
         (at.pose, at.rails),
         (matrix_output("vectors", "m", at.cables.vectors),),
         at.verdicts() if at.words.wraps else (),
+        at.parts(),
     )
 
 
@@ -109,6 +117,7 @@ def cable_lengths_function(machine: Machine) -> ModelFunction:
         (at.pose, at.rails),
         (vector_output("length", "m", at.cables.lengths),),
         at.verdicts(),
+        at.parts(),
     )
 
 

@@ -21,13 +21,16 @@ EVERY_KIND = [
     "kinematics_spatial_rigid",
 ]
 GEOMETRY = ("kinematics", "statics", "control")
+#: What the controller step calls.
+STEP = ("kinematics", "statics", "tension", "control")
 
 
-class Unnamed(Model):
-    """Functions that no other name stands for."""
+class Unmeasured(Model):
+    """Some topics of a machine; a function whose target is not among them has no second name."""
 
     def aliases(self) -> dict[str, str]:
-        return {}
+        known = {item.function.name for item in self.items()}
+        return {name: target for name, target in super().aliases().items() if target in known}
 
 
 @cache
@@ -37,7 +40,7 @@ def machine_named(name: str) -> Machine:
     return load_machine(next(path for path in paths if path.exists()))
 
 
-def items(machine: Machine, topics: tuple[str, ...] = GEOMETRY) -> dict[str, list[Item]]:
+def items(machine: Machine, topics: tuple[str, ...]) -> dict[str, list[Item]]:
     """The functions of some topics, ready to print."""
     found: dict[str, list[Item]] = {}
     for topic in topics:
@@ -48,14 +51,16 @@ def items(machine: Machine, topics: tuple[str, ...] = GEOMETRY) -> dict[str, lis
     return found
 
 
-def compiled(machine: Machine, precision: str = "double") -> Generated:
-    """The compiled kinematics, statics and control of a machine."""
-    model = Unnamed(machine, items(machine))
+def compiled(
+    machine: Machine, precision: str = "double", topics: tuple[str, ...] = GEOMETRY
+) -> Generated:
+    """Some compiled topics of a machine."""
+    model = Unmeasured(machine, items(machine, topics))
     files = render(model, {item.function.name: Accuracy() for item in model.items()})
     return Generated(machine, folder_of(machine, files), precision)
 
 
 @cache
 def geometry(name: str, precision: str = "double") -> Generated:
-    """The same of a machine of the tests, or a stock machine."""
+    """The compiled kinematics, statics and control of a machine of the tests, or a stock one."""
     return compiled(machine_named(name), precision)
