@@ -1,4 +1,4 @@
-"""Least-norm tensions within bounds by trying every active set: exact, slow and hard to get wrong.
+"""Least-norm tensions in the plane by trying every active set: exact, slow, hard to get wrong.
 
 Each cable is free, at the lower or at the upper bound. With the others at their bounds, the free
 ones take the least-norm solution. The optimum is one of these candidates, because it is the
@@ -18,7 +18,8 @@ from itertools import combinations, product
 import numpy as np
 import numpy.typing as npt
 
-from model.reference.planar import Array, minors
+from model.reference.arrays import Array
+from model.reference.planar import minors
 
 ROUNDINGS = 32  # a sum over the cables may be off by this many units in its last place
 Solver = Callable[[Array, Array, tuple[int, ...]], Array]
