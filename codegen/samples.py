@@ -84,6 +84,11 @@ class Sampler:
         anything = self.symmetric(self.machine.dof, 2 * self.machine.tension.max)
         return np.where(self.random.random((self.count, 1)) < 0.7, scale * exerted, anything)
 
+    def forces(self, size: int) -> Array:
+        """Sizes of forces, from a hundredth of T_max to twice that."""
+        most = self.machine.tension.max
+        return self.box([0.01 * most] * size, [2 * most] * size)
+
     def memory(self, columns: Sequence[float], count: int) -> Array:
         """Remembered quantities, each column within its own bound."""
         return np.stack([self.symmetric(count, bound) for bound in columns], axis=2).reshape(
@@ -124,6 +129,7 @@ _BY_NAME: dict[str, Callable[[Sampler, int], Array]] = {
     "tension": lambda s, _: s.tensions(),
     "load": lambda s, _: s.tensions(),
     "wrench": lambda s, _: s.wrenches(),
+    "force": lambda s, size: s.forces(size),
     "hand_force": lambda s, size: s.symmetric(size, s.machine.tension.max),
     "velocity": lambda s, size: s.symmetric(size, 1.0),
     "length_rates": lambda s, size: s.symmetric(size, 1.0),

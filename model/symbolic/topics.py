@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from model.machine import Machine
-from model.symbolic import control, kinematics, quality, statics, tension
+from model.symbolic import comparison, control, kinematics, quality, statics, tension
 from model.symbolic.composition import Composition
 from model.symbolic.function import ModelFunction, Repeat, Retry
 from model.symbolic.sweep import Sweep
@@ -14,6 +14,7 @@ TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematics.functions),
     "statics": ("forces between cables, platform and bases", statics.functions),
     "tension": ("tension distribution", tension.functions),
+    "comparison": ("tension methods to compare with", comparison.functions),
     "quality": ("tension factor and isotropic force of a pose", quality.functions),
     "control": ("control laws around the tension distribution", control.functions),
 }
@@ -26,4 +27,7 @@ def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
 
 def model_composites(machine: Machine) -> dict[str, list[Composite]]:
     """Every function that is made of others, by topic; those it is made of come before it."""
-    return {"tension": [*tension.composites(machine)]}
+    return {
+        "tension": [*tension.composites(machine)],
+        "comparison": comparison.composites(machine),
+    }
