@@ -36,9 +36,8 @@ from model.symbolic.scalar import (
     where,
 )
 
-#: Bounds that are missed by less are met: EPSILON of the tensions for every cable, over the
-#: smallest pivot of S_F.
-SLACK = 1.0
+#: Bounds that are missed by less are met: EPSILON of the tensions over the smallest pivot of S_F.
+SLACK = 8.0
 #: Lengths of projected unit vectors below this many EPSILON are rounding.
 PARALLEL = 256.0
 #: Farther than any step.
@@ -74,7 +73,6 @@ class Face:
     side: Vector
     free: Vector
     held: Vector
-    columns: Matrix
     factors: Factorisation
 
     @property
@@ -83,16 +81,19 @@ class Face:
         exerted = multiply(self.problem.matrix, self.held)
         return subtract(self.problem.wrench, exerted)
 
+    @property
+    def smallest_pivot(self) -> Scalar:
+        """How far the free cables are from losing rank, 1 at most."""
+        return ca.fmin(1, smallest(self.factors.pivots()))
+
     def pulled(self, multiplier: Vector) -> Vector:
         """S' y."""
         return [dot(column, multiplier) for column in transpose(self.problem.matrix)]
 
-    def refined(self, multiplier: Vector) -> Vector:
-        """The multiplier y after one step of iterative refinement."""
-        tension = [dot(column, multiplier) for column in self.columns]
-        missed = subtract(self.left, multiply(transpose(self.columns), tension))
-        correction = self.factors.solve_gram(missed)
-        return [a + b for a, b in zip(multiplier, correction, strict=True)]
+    def correction(self, level: Vector) -> Vector:
+        """The multiplier of what the free tensions lack to exert the rest of the wrench."""
+        free = [level_i * free for level_i, free in zip(level, self.free, strict=True)]
+        return self.factors.solve_gram(subtract(self.left, multiply(self.problem.matrix, free)))
 
 
 def face(problem: Bounded, side: Vector) -> Face:
@@ -100,7 +101,7 @@ def face(problem: Bounded, side: Vector) -> Face:
     free = [where(x == 0, 1, 0) for x in side]
     held = [where(x > 0, problem.high, where(x < 0, problem.low, 0)) for x in side]
     masked = [[x * y for x, y in zip(row, free, strict=True)] for row in problem.matrix]
-    return Face(problem, side, free, held, transpose(masked), factorise(masked))
+    return Face(problem, side, free, held, factorise(masked))
 
 
 @dataclass(frozen=True)
@@ -125,8 +126,7 @@ def move(now: Face, moving: Scalar, push: Scalar) -> Move:
         where(free > 0, ca.fmax(problem.low - x, x - problem.high), NONE)
         for free, x in zip(now.free, level, strict=True)
     ]
-    least = ca.fmin(1, smallest(now.factors.pivots()))
-    slack = SLACK * problem.count * EPSILON * problem.scale / least
+    slack = SLACK * EPSILON * problem.scale / now.smallest_pivot
     solved = ca.logic_and(ca.logic_not(under_way), largest(excess) <= slack)
     scores = [where(under_way, where(moving == i, 1, 0), x) for i, x in enumerate(excess)]
     columns = transpose(problem.matrix)
@@ -178,16 +178,19 @@ class Optimum:
 def optimum(now: Face) -> Optimum:
     """The tensions of a face, refined, clipped and judged."""
     problem = now.problem
-    multiplier = now.refined(now.factors.solve_gram(now.left))
+    multiplier = now.factors.solve_gram(now.left)
     level = now.pulled(multiplier)
+    # Refined as tensions: what they miss is then a rounding of them, not of the multiplier.
+    level = [a + b for a, b in zip(level, now.pulled(now.correction(level)), strict=True)]
     tension = [
         clamp(where(side == 0, x, held), problem.low, problem.high)
         for side, x, held in zip(now.side, level, now.held, strict=True)
     ]
     wrong = [side * (held - x) for side, x, held in zip(now.side, level, now.held, strict=True)]
-    # Multipliers are exact to roundings of the largest of them, which has no bound.
+    # Multipliers are exact to roundings of the largest of them, which has no bound, and more where
+    # the free cables are nearly dependent.
     most = ca.fmax(problem.scale, largest([ca.fabs(x) for x in multiplier]))
-    misfit = ca.fmax(0, largest(wrong)) * problem.scale / most
+    misfit = ca.fmax(0, largest(wrong)) * now.smallest_pivot * problem.scale / most
     gaps = subtract(multiply(problem.matrix, tension), problem.wrench)
     return Optimum(tension, largest([misfit, *map(ca.fabs, gaps)]))
 

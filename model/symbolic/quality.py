@@ -147,7 +147,7 @@ def looped(machine: Machine, measure: Measure) -> Repeat:
 
     def answer(best: Optimum, pivot: Scalar) -> Answer:
         rig = replace(here.rig, rays=transpose(structure.rows()))
-        accurate = best.residual <= tolerated(high, pivot)
+        accurate = best.residual <= tolerated(machine, pivot)
         output, verdicts, _ = measure.take(machine, rig, best.tension, accurate)
         return (output,), verdicts
 

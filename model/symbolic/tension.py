@@ -26,6 +26,7 @@ from model.symbolic.function import (
     vector_output,
 )
 from model.symbolic.linear import factorise, multiply, transpose
+from model.symbolic.nearest_wrench import Nearest, Reach, nearest_loop
 from model.symbolic.null_space import NullSpace, crossed, factored
 from model.symbolic.polytope import UNBOUNDED, Slabs
 from model.symbolic.scalar import (
@@ -39,7 +40,7 @@ from model.symbolic.scalar import (
     total,
     where,
 )
-from model.symbolic.wrench_norm import weighed, weighed_rows
+from model.symbolic.wrench_norm import weighed, weighed_rows, weights
 from model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
@@ -63,6 +64,8 @@ RANK_TOLERANCE = 4096.0
 #: The solver without a loop nests once more with every redundant cable; beyond this many a loop
 #: takes less code.
 UNROLLED_REDUNDANCY = 2
+#: Dimension in which the feasible wrenches are a polygon.
+PLANE = 2
 
 PAPER = "distribute_tension_paper"
 PAPER_SUMMARY = (
@@ -189,7 +192,9 @@ def least_norm_loop(machine: Machine) -> Repeat:
 
     def answer(best: Optimum, pivot: Scalar) -> Answer:
         solution = Solution(best.tension, multiply(matrix, best.tension), best.residual)
-        return solution_outputs(machine, solution), (kkt_missed(solution, tolerated(high, pivot)),)
+        return solution_outputs(machine, solution), (
+            kkt_missed(solution, tolerated(machine, pivot)),
+        )
 
     return loop.repeat(
         "least_norm_tension",
@@ -199,9 +204,10 @@ def least_norm_loop(machine: Machine) -> Repeat:
     )
 
 
-def tolerated(high: float, pivot: Scalar) -> Scalar:
-    """Residual of the optimality conditions that rounding explains [N]."""
-    return ca.fmin(KKT_TOLERANCE * EPSILON * high / pivot, LARGEST_MISS * high)
+def tolerated(machine: Machine, pivot: Scalar) -> Scalar:
+    """Residual of a loop's optimality conditions that rounding explains [N]."""
+    high, units = machine.tension.max, KKT_TOLERANCE * max(1.0, len(machine.cables) / 4)
+    return ca.fmin(units * EPSILON * high / ca.fmin(1, pivot), LARGEST_MISS * high)
 
 
 def paper_loop(machine: Machine) -> Repeat:
@@ -219,27 +225,63 @@ def paper_loop(machine: Machine) -> Repeat:
 
 
 def served_wrench_function(machine: Machine, policy: str) -> ModelFunction:
-    """The feasible wrench that a policy puts in place of an infeasible one."""
+    """The feasible wrench that a policy puts in place of an infeasible one, in the plane."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     wanted = wrench.scalars()
     feasible = wrench_set(transpose(structure.rows()), machine.tension.min, machine.tension.max)
-    inside = feasible.contains(wanted)
-    choose, meaning = POLICIES[policy]
-    border = choose(feasible, wanted)
-    served = [
-        where(inside, asked, edge + OFF_BORDER * EPSILON * (middle - edge))
-        for asked, edge, middle in zip(wanted, border, feasible.middle, strict=True)
-    ]
-    inner = [a + INWARDS * (b - a) for a, b in zip(served, feasible.middle, strict=True)]
+    choose, _ = POLICIES[policy]
+    outputs, infeasible = served_outputs(
+        feasible.contains(wanted), wanted, choose(feasible, wanted), feasible.middle
+    )
     return ModelFunction(
-        f"served_wrench_{policy}",
-        f"The wrench that is served: an infeasible one {meaning}",
-        "facets of the zonotope {S T}",
+        *served_names(policy, "facets of the zonotope {S T}"),
         (structure, wrench),
-        (vector_output("served", "N", served), vector_output("inner", "N", inner)),
-        (Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it"),),
+        outputs,
+        (infeasible,),
         (Label("facet", feasible.halves, "facets of the feasible wrenches, half distances"),),
     )
+
+
+def served_names(policy: str, source: str) -> tuple[str, str, str]:
+    """Name, summary and source of the function that serves the wrench of a policy."""
+    _, meaning = POLICIES[policy]
+    return (
+        f"served_wrench_{policy}",
+        f"The wrench that is served: an infeasible one {meaning}",
+        source,
+    )
+
+
+def served_outputs(
+    inside: Scalar, wanted: Vector, border: Vector, middle: Vector
+) -> tuple[tuple[Output, ...], Verdict]:
+    """The wanted wrench, or one just inside the border; then one with more room."""
+    served = [
+        where(inside, asked, edge + OFF_BORDER * EPSILON * (centre - edge))
+        for asked, edge, centre in zip(wanted, border, middle, strict=True)
+    ]
+    inner = [a + INWARDS * (b - a) for a, b in zip(served, middle, strict=True)]
+    outputs = vector_output("served", "N", served), vector_output("inner", "N", inner)
+    infeasible = Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it")
+    return outputs, infeasible
+
+
+def closest_loop(machine: Machine) -> Repeat:
+    """The nearest feasible wrench in any dimension; moments count by the force at the lever."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    matrix, wanted = structure.rows(), wrench.scalars()
+    low, high = machine.tension.min, machine.tension.max
+    reach = Reach(weighed_rows(machine, matrix), weighed(machine, wanted), low, high)
+    middle = [(low + high) / 2 * total(row) for row in matrix]
+
+    def answer(found: Nearest) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        offset = [x / w for x, w in zip(found.offset, weights(machine), strict=True)]
+        border = [a + b for a, b in zip(wanted, offset, strict=True)]
+        outputs, infeasible = served_outputs(found.inside, wanted, border, middle)
+        return outputs, (found.inaccurate, infeasible)
+
+    names = served_names("closest", "point of least norm of {S T - W}: Wolfe 1976")
+    return nearest_loop(names, (structure, wrench), reach, answer)
 
 
 def paper_function(machine: Machine) -> ModelFunction:
@@ -315,9 +357,20 @@ def is_unrolled(machine: Machine) -> bool:
     return machine.redundancy <= UNROLLED_REDUNDANCY
 
 
+def planar_policies(machine: Machine) -> list[str]:
+    """Policies that the polygon of feasible forces decides."""
+    return list(POLICIES) if machine.dof == PLANE else []
+
+
+def policies(machine: Machine) -> dict[str, tuple[Policy, str]]:
+    """Policies that there are in the machine's dimension."""
+    known = POLICIES if machine.dof == PLANE else {"closest": POLICIES["closest"]}
+    return dict(known)
+
+
 def functions(machine: Machine) -> list[ModelFunction]:
     """Everything this topic computes in one pass."""
-    served = [served_wrench_function(machine, policy) for policy in POLICIES]
+    served = [served_wrench_function(machine, policy) for policy in planar_policies(machine)]
     if not is_unrolled(machine):
         return served
     return [
@@ -341,6 +394,8 @@ def methods(machine: Machine) -> list[Method]:
 def composites(machine: Machine) -> list[Retry | Repeat]:
     """Loops, and distributions that serve another wrench where the wanted one is infeasible."""
     loops = [] if is_unrolled(machine) else [least_norm_loop(machine), paper_loop(machine)]
+    if machine.dof > PLANE:
+        loops.append(closest_loop(machine))
     return loops + [
         Retry(
             f"distribute_tension_{policy}",
@@ -350,5 +405,5 @@ def composites(machine: Machine) -> list[Retry | Repeat]:
             f"served_wrench_{policy}",
             "wrench",
         )
-        for policy, (_, meaning) in POLICIES.items()
+        for policy, (_, meaning) in policies(machine).items()
     ]
