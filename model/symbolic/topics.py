@@ -4,11 +4,8 @@ from collections.abc import Callable
 
 from model.machine import Machine
 from model.symbolic import comparison, control, kinematics, quality, statics, tension
-from model.symbolic.composition import Composition
-from model.symbolic.function import ModelFunction, Repeat, Retry
-from model.symbolic.sweep import Sweep
-
-Composite = Retry | Repeat | Sweep | Composition
+from model.symbolic.composition import Composite
+from model.symbolic.function import ModelFunction
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematics.functions),
@@ -28,6 +25,7 @@ def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
 def model_composites(machine: Machine) -> dict[str, list[Composite]]:
     """Every function that is made of others, by topic; those it is made of come before it."""
     return {
-        "tension": [*tension.composites(machine)],
+        "tension": tension.composites(machine),
         "comparison": comparison.composites(machine),
+        "quality": quality.composites(machine),
     }
