@@ -23,15 +23,13 @@ from codegen.ir import Routine
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
-from model.symbolic.composition import Composition
+from model.symbolic.composition import Composite, Composition
 from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
 from model.symbolic.sweep import Sweep
-from model.symbolic.topics import TOPICS, Composite, model_composites, model_functions
+from model.symbolic.topics import TOPICS, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
-#: The tension solver unrolls one level a redundant cable; beyond this the C grows out of hand.
-LARGEST_REDUNDANCY = 4
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -57,16 +55,7 @@ class Model:
 
 
 def build_model(machine: Machine) -> Model:
-    """Lower and simplify every function of the machine.
-
-    Raises GenerateError for more cables than this version distributes tensions over.
-    """
-    if machine.redundancy > LARGEST_REDUNDANCY:
-        raise GenerateError(
-            f"{machine.path}: cable: found {len(machine.cables)} cables; allowed: up to "
-            f"{machine.dof + LARGEST_REDUNDANCY} in this version, for a platform with "
-            f"{machine.dof} degrees of freedom"
-        )
+    """Lower and simplify every function of the machine."""
     routines = {
         topic: [lowered(function) for function in functions]
         for topic, functions in model_functions(machine).items()

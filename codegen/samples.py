@@ -118,6 +118,11 @@ class Sampler:
             moments, GUESS_ROTATION, reach
         )
 
+    def forces(self, size: int) -> Array:
+        """Sizes of forces, from a hundredth of T_max to twice that."""
+        most = self.machine.tension.max
+        return self.box([0.01 * most] * size, [2 * most] * size)
+
     def memory(self, columns: Sequence[float], count: int) -> Array:
         """Remembered quantities, each column within its own bound."""
         return np.stack([self.symmetric(count, bound) for bound in columns], axis=2).reshape(
@@ -160,6 +165,7 @@ _BY_NAME: dict[str, Callable[[Sampler, int], Array]] = {
     "wrench": lambda s, _: s.wrenches(),
     "hand_force": lambda s, size: s.symmetric(size, s.machine.tension.max) * s.levers(),
     "guess": lambda s, _: s.guesses(),
+    "force": lambda s, size: s.forces(size),
     "velocity": lambda s, size: s.symmetric(size, 1.0),
     "length_rates": lambda s, size: s.symmetric(size, 1.0),
     "rail_rates": lambda s, size: s.symmetric(size, 1.0),

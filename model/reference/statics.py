@@ -38,9 +38,9 @@ def wrench_share_eq10(
     """How Yoon eq. 10 shares a wrench (..., d) [N, N m] among the cables (..., n) [N]; planar.
 
     L^2 S^T (S L^2 S^T)^-1 W, L = diag of the straight lengths |l_i|: of all that give the wrench
-    the one with the least sum of (T_i / l_i)^2. It is not the tension, although Yoon calls it so: the
-    derivation cancels velocities that are not free, so the internal tension (the null space of S)
-    is lost. Entries can be negative, and no wrench gives no tension at all where T_min > 0.
+    the one with the least sum of (T_i / l_i)^2. It is not the tension, although Yoon calls it so:
+    the derivation cancels velocities that are not free, so the internal tension (the null space
+    of S) is lost. Entries can be negative, and no wrench gives no tension at all where T_min > 0.
 
     NaN where the cables do not span. ValueError for kinds in space, which the equation leaves out.
     """

@@ -10,7 +10,8 @@ import casadi as ca
 
 from model.machine import Machine
 from model.symbolic import arguments
-from model.symbolic.composition import Composition
+from model.symbolic.active_set import Answer, Optimum
+from model.symbolic.composition import Composite
 from model.symbolic.facets import WEIGHED, Facet, FacetSweep, vector_product
 from model.symbolic.function import (
     EPSILON,
@@ -18,7 +19,6 @@ from model.symbolic.function import (
     ModelFunction,
     Output,
     Repeat,
-    Retry,
     Status,
     Verdict,
     matrix_output,
@@ -44,8 +44,11 @@ from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
 from model.symbolic.tension import (
     KKT_TOLERANCE,
     LARGEST_MISS,
+    PLANE,
     RANK_TOLERANCE,
     SMALLEST_PIVOT,
+    active_set,
+    is_unrolled,
     least_norm_tension,
     rank_lost,
     rounding,
@@ -54,6 +57,10 @@ from model.symbolic.wrench_norm import weighed, weighed_rows
 from model.symbolic.wrench_set import FAR
 
 KERNEL = "Brau eqs 3-5"
+PROGRAM_SUMMARY = (
+    "Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at"
+)
+PROGRAM_SOURCE = f"{KERNEL}, a quadratic program for more than one redundant cable"
 REDUCED = "Brau eqs 6, 7"
 #: A tension may be below T_min by rounding: this many EPSILON of the sum of all tensions.
 BELOW = 16.0
@@ -112,18 +119,35 @@ def kernel_program(machine: Machine) -> ModelFunction:
     limit = rounding(KKT_TOLERANCE, largest(solution.tension), space)
     most = LARGEST_MISS * machine.tension.max
     unsolved = ca.logic_not(solution.kkt_residual <= ca.fmin(limit, most))
-    tension = [where(unsolved, low, value) for value in solution.tension]
+    outputs, verdicts = program_results(solution.tension, unsolved, low)
+    verdicts = (rank_lost(space), *verdicts)
+    inputs = (structure, wrench)
     return ModelFunction(
-        "kernel_tension",
-        "Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at",
-        f"{KERNEL}, a quadratic program for more than one redundant cable",
-        (structure, wrench),
-        (vector_output("tension", "N", tension, fallback=low),),
-        (
-            rank_lost(space),
-            Verdict(unsolved, Status.INFEASIBLE, "there is no solution; every cable holds T_min"),
-        ),
+        "kernel_tension", PROGRAM_SUMMARY, PROGRAM_SOURCE, inputs, outputs, verdicts
     )
+
+
+def program_results(tension: Vector, unsolved: Scalar, low: float) -> Answer:
+    """Tensions of the program; T_min in every cable where there are none."""
+    values = [where(unsolved, low, value) for value in tension]
+    meaning = "there is no solution, and every cable holds T_min"
+    return (
+        (vector_output("tension", "N", values, fallback=low),),
+        (Verdict(unsolved, Status.INFEASIBLE, meaning),),
+    )
+
+
+def kernel_loop(machine: Machine) -> Repeat:
+    """The same by a loop, for any number of cables."""
+    loop, _ = active_set(machine, None)
+    low, most = machine.tension.min, LARGEST_MISS * machine.tension.max
+
+    def answer(best: Optimum, pivot: Scalar) -> Answer:
+        limit = KKT_TOLERANCE * EPSILON * largest(best.tension) / pivot
+        unsolved = ca.logic_not(best.residual <= ca.fmin(limit, most))
+        return program_results(best.tension, unsolved, low)
+
+    return loop.repeat("kernel_tension", PROGRAM_SUMMARY, PROGRAM_SOURCE, answer)
 
 
 def beyond_least(machine: Machine, structure: Input, wrench: Input) -> Vector:
@@ -378,17 +402,21 @@ def bound_of(outwards: Scalar, wanted: Scalar) -> Scalar:
 
 def functions(machine: Machine) -> list[ModelFunction]:
     """Everything this topic computes in one pass."""
-    result = [kernel_line(machine) if machine.redundancy == 1 else kernel_program(machine)]
-    if machine.dof == 2 and len(machine.cables) <= WRITTEN_OUT:
-        result.append(reduced_pairs(machine))
-    if machine.dof == 2:
+    result: list[ModelFunction] = []
+    if machine.redundancy == 1:
+        result.append(kernel_line(machine))
+    elif is_unrolled(machine):
+        result.append(kernel_program(machine))
+    if machine.dof == PLANE:
         result.append(largest_tensions_eq17(machine))
+        if len(machine.cables) <= WRITTEN_OUT:
+            result.append(reduced_pairs(machine))
     return result
 
 
-def composites(machine: Machine) -> list[Retry | Repeat | Sweep | Composition]:
-    """Everything that visits subsets of the cables."""
-    result: list[Retry | Repeat | Sweep | Composition] = []
-    if machine.dof > 2 or len(machine.cables) > WRITTEN_OUT:
+def composites(machine: Machine) -> list[Composite]:
+    """Everything that visits subsets of the cables, or takes a loop."""
+    result: list[Composite] = [] if is_unrolled(machine) else [kernel_loop(machine)]
+    if machine.dof > PLANE or len(machine.cables) > WRITTEN_OUT:
         result.append(reduced_sweep(machine))
     return [*result, largest_tensions_eq12(machine), largest_tension(machine)]

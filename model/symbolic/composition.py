@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from model.symbolic.function import Input, ModelFunction
+from model.symbolic.function import Input, ModelFunction, Repeat, Retry
 from model.symbolic.sweep import Sweep
 
 
@@ -33,3 +33,7 @@ class Composition:
     source: str
     inputs: tuple[Input, ...]
     calls: tuple[Call, ...]
+
+
+#: A function that is made of others.
+Composite = Retry | Repeat | Sweep | Composition

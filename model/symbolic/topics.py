@@ -3,17 +3,15 @@
 from collections.abc import Callable
 
 from model.machine import Machine
-from model.symbolic import control, kinematic_functions, quality, statics, tension
-from model.symbolic.composition import Composition
-from model.symbolic.function import ModelFunction, Repeat, Retry
-from model.symbolic.sweep import Sweep
-
-Composite = Retry | Repeat | Sweep | Composition
+from model.symbolic import comparison, control, kinematic_functions, quality, statics, tension
+from model.symbolic.composition import Composite
+from model.symbolic.function import ModelFunction
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematic_functions.functions),
     "statics": ("forces between cables, platform and bases", statics.functions),
     "tension": ("tension distribution", tension.functions),
+    "comparison": ("tension methods to compare with", comparison.functions),
     "quality": ("tension factor and isotropic force of a pose", quality.functions),
     "control": ("control laws around the tension distribution", control.functions),
 }
@@ -28,5 +26,7 @@ def model_composites(machine: Machine) -> dict[str, list[Composite]]:
     """Every function that is made of others, by topic; those it is made of come before it."""
     return {
         "kinematics": [*kinematic_functions.composites(machine)],
-        "tension": [*tension.composites(machine)],
+        "tension": tension.composites(machine),
+        "comparison": comparison.composites(machine),
+        "quality": quality.composites(machine),
     }

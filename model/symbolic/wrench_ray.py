@@ -1,34 +1,25 @@
-"""The wrench that is served where the wanted one is infeasible: a fraction of it, in any dimension.
+"""How far the ray from zero to a wrench runs through the feasible ones, in any dimension.
 
-In the plane all facets are written out (`tension.served_wrench_function`); elsewhere a sweep visits
-them, and the closest wrench stands in where the ray from zero misses the feasible ones.
+In the plane all facets are written out, see wrench_set; elsewhere a sweep visits them.
 """
 
 import casadi as ca
 
 from model.machine import Machine
-from model.symbolic import arguments
-from model.symbolic.composition import Call, Composition
 from model.symbolic.facets import Facet, FacetSweep
 from model.symbolic.function import (
     EPSILON,
     Input,
-    ModelFunction,
     Output,
-    Status,
     Verdict,
-    carried,
     scalar_output,
     vector_output,
 )
 from model.symbolic.linear import dot
-from model.symbolic.scalar import Scalar, Vector, total, where
+from model.symbolic.scalar import Scalar, Vector, where
 from model.symbolic.sweep import Ports, Subset, Sweep
-from model.symbolic.tension import INWARDS, OFF_BORDER
 from model.symbolic.wrench_norm import weighed
 from model.symbolic.wrench_set import FAR, RAY_SLACK
-
-SOURCE = "facets of the zonotope {S T}"
 
 
 def ray_sweep(machine: Machine, structure: Input, wrench: Input) -> Sweep:
@@ -67,7 +58,7 @@ def ray_sweep(machine: Machine, structure: Input, wrench: Input) -> Sweep:
         return ray_outputs(inside, ca.fmax(top, 0), where(missed, 1, 0)), ()
 
     sweep = FacetSweep(machine, structure, (wrench,), state, visit, finish)
-    return sweep.named("wrench_ray", "How far the ray to a wrench is feasible", SOURCE)
+    return sweep.named("wrench_ray", "How far the ray to a wrench is feasible", "facets of {S T}")
 
 
 def ray_outputs(feasible: Scalar, fraction: Scalar, missed: Scalar) -> tuple[Output, ...]:
@@ -96,55 +87,4 @@ def ray_within(
         where(crosses, ca.fmin(*sides), where(beside, FAR, 0)),
         where(crosses, ca.fmax(*sides), 1),
         where(crosses, top, 1),
-    )
-
-
-def served_function(machine: Machine, structure: Input, wrench: Input) -> ModelFunction:
-    """What is served, from what the ray tells and, where it tells nothing, the closest wrench."""
-    nothing = [ca.SX(0)] * machine.dof
-    zeros = (vector_output("closest", "N", nothing), vector_output("closer", "N", nothing))
-    told = carried((*ray_outputs(*nothing[:1] * 3), *zeros))
-    feasible, fraction, missed = (port.scalars()[0] for port in told[:3])
-    closest, closer = (port.scalars() for port in told[3:])
-    mean = (machine.tension.min + machine.tension.max) / 2
-    middle = [mean * total(row) for row in structure.rows()]
-    scaled = [fraction * entry for entry in wrench.scalars()]
-    border = moved(scaled, OFF_BORDER * EPSILON, middle)
-    served = chosen(feasible > 0, wrench.scalars(), chosen(missed > 0, closest, border))
-    inner = chosen(missed > 0, closer, moved(served, ca.SX(INWARDS), middle))
-    return ModelFunction(
-        "served_fraction",
-        "The fraction that is served, off the border",
-        SOURCE,
-        (structure, wrench, *told),
-        (vector_output("served", "N", served), vector_output("inner", "N", inner)),
-        (Verdict(feasible <= 0, Status.INFEASIBLE, "no admissible tension exerts it"),),
-    )
-
-
-def chosen(condition: Scalar, yes: Vector, no: Vector) -> Vector:
-    """One vector or the other."""
-    return [where(condition, a, b) for a, b in zip(yes, no, strict=True)]
-
-
-def moved(start: Vector, part: Scalar, end: Vector) -> Vector:
-    """The point that is a part of the way from start to end."""
-    return [a + part * (b - a) for a, b in zip(start, end, strict=True)]
-
-
-def served_wrench_scale(machine: Machine) -> Composition:
-    """The policy `scale` for d > 2; it calls the policy `closest` where no fraction is feasible."""
-    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
-    closest = Call("served_wrench_closest", {"served": "closest", "inner": "closer"}, "missed")
-    return Composition(
-        "served_wrench_scale",
-        "The wrench that is served: an infeasible one keeps its direction and is scaled down to the"
-        " largest feasible fraction",
-        SOURCE,
-        (structure, wrench),
-        (
-            Call(ray_sweep(machine, structure, wrench)),
-            closest,
-            Call(served_function(machine, structure, wrench)),
-        ),
     )
