@@ -1,0 +1,101 @@
+"""A machine file as its user wrote it, and the machines it describes with other quantities in it.
+
+Everything here happens on the TOML: what a key means is the schema's business. A location is the
+way to a value, such as ("cable", 1, "base", 0) for `cable[2].base[1]`.
+"""
+
+from __future__ import annotations
+
+import copy
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+
+from model.machine import Machine, load_machine, machine_from
+from model.problem import key_path
+from model.quantity import QUANTITY
+
+Location = tuple[str | int, ...]
+Changes = Mapping[Location, str]
+"""New text for the quantity at each location."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """A quantity as written: its number, and its unit as the user spells it."""
+
+    number: Decimal
+    unit: str
+
+
+@dataclass(frozen=True)
+class Document:
+    """A machine file that describes a machine."""
+
+    path: Path
+    text: str
+    tables: dict[str, Any]
+
+    @classmethod
+    def read(cls, path: Path) -> Document:
+        """Read a machine file; MachineError where load_machine raises it."""
+        load_machine(path)
+        text = path.read_bytes().decode("utf-8")
+        return cls(path, text, tomllib.loads(text))
+
+    def values(self) -> dict[str, tuple[Location, Any]]:
+        """Every table, array and value by its key, as error messages print keys."""
+        return {key_path(location): (location, value) for location, value in _walk((), self.tables)}
+
+    def quantity(self, location: Location) -> Written:
+        """The quantity at a location of the file."""
+        written = as_written(_at(self.tables, location))
+        assert written is not None  # the schema has seen to it
+        return written
+
+    def machine(self, changes: Changes) -> Machine:
+        """The machine with these changes; MachineError where they make none."""
+        tables = copy.deepcopy(self.tables)
+        _apply(tables, changes)
+        return machine_from(tables, self.path)
+
+    def text_with(self, changes: Changes) -> str:
+        """The file with these changes, its comments and layout as they are."""
+        document = tomlkit.parse(self.text)
+        _apply(document, changes)
+        return tomlkit.dumps(document)
+
+
+def as_written(value: object) -> Written | None:
+    """A value of the file as a quantity; None where it is none."""
+    match = QUANTITY.fullmatch(value.strip().replace("**", "^")) if isinstance(value, str) else None
+    return Written(Decimal(match["number"]), match["unit"]) if match else None
+
+
+def _walk(location: Location, value: Any) -> Iterator[tuple[Location, Any]]:
+    """A value and all that it holds, with their locations."""
+    if location:
+        yield location, value
+    parts: Iterable[str | int] = ()
+    if isinstance(value, dict):
+        parts = value
+    elif isinstance(value, list):
+        parts = range(len(value))
+    for part in parts:
+        yield from _walk((*location, part), value[part])
+
+
+def _at(tables: Any, location: Location) -> Any:
+    for part in location:
+        tables = tables[part]
+    return tables
+
+
+def _apply(tables: Any, changes: Changes) -> None:
+    for location, text in changes.items():
+        _at(tables, location[:-1])[location[-1]] = text
