@@ -58,6 +58,10 @@ class Document:
         assert written is not None  # the schema has seen to it
         return written
 
+    def words(self, location: Location) -> str:
+        """What the file says at a location."""
+        return str(_at(self.tables, location))
+
     def machine(self, changes: Changes) -> Machine:
         """The machine with these changes; MachineError where they make none."""
         tables = copy.deepcopy(self.tables)

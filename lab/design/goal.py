@@ -1,6 +1,7 @@
 """What makes one machine better than another."""
 
 from abc import ABC, abstractmethod
+from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -50,6 +51,7 @@ class Goal(ABC):
         return {}
 
 
+@dataclass(frozen=True)
 class IsotropicForce(Goal):
     """The least isotropic force I_F in the target is to be as large as possible [N]."""
 

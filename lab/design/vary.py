@@ -103,13 +103,7 @@ def _parse(argument: str, document: Document) -> Range:
     if low >= high:
         found = f"{match['low'].strip()}..{match['high'].strip()}"
         raise _refused(document, keys[0], found, "LOW..HIGH with LOW less than HIGH")
-    if others and not first.number:
-        allowed = "a first key that is not zero: the others change in proportion to it"
-        raise _refused(document, keys[0], in_words(first.number, first.unit), allowed)
-    with localcontext(IN_PROPORTION):
-        followers = tuple(
-            Follower(place, other.number / first.number, other.unit) for place, other in others
-        )
+    followers = tuple(_follower(place, other, first, keys[0], document) for place, other in others)
     count = _count(match["count"], keys[0], document)
     return Range(keys[0], location, low, high, first.unit, count, followers)
 
@@ -128,6 +122,19 @@ def _quantity(key: str, document: Document) -> tuple[Location, Written]:
         hint = f", such as {inside[0]}" if inside else ""
         raise _refused(document, key, shown(value), f"a key that is a quantity{hint}")
     return location, written
+
+
+def _follower(
+    location: Location, other: Written, first: Written, key: str, document: Document
+) -> Follower:
+    """A quantity in its present proportion to the first; equal ones stay equal, at zero too."""
+    if other == first:
+        return Follower(location, Decimal(1), other.unit)
+    if not first.number:
+        allowed = "a first key that is not zero, because the others change in proportion to it"
+        raise _refused(document, key, in_words(first.number, first.unit), allowed)
+    with localcontext(IN_PROPORTION):
+        return Follower(location, other.number / first.number, other.unit)
 
 
 def _bound(text: str, key: str, present: Written, document: Document) -> Decimal:
