@@ -121,7 +121,7 @@ def workers(scheduler: str | None) -> Iterator[Client]:
         with (
             LocalCluster(
                 threads_per_worker=1,
-                dashboard_address=None,
+                dashboard_address="127.0.0.1:0",
                 silence_logs=logging.CRITICAL,
                 preload=[IGNORE_INTERRUPTS],
             ) as cluster,

@@ -59,7 +59,9 @@ class Range:
         return min(max(value, self.low), self.high)
 
     def rounded(self, value: Decimal) -> Decimal:
-        """A value in few digits."""
+        """A value in few digits; the ends of the range as they are."""
+        if value in (self.low, self.high):
+            return value
         step = ((self.high - self.low) * RESOLUTION).adjusted()
         return min(max(value.quantize(Decimal(1).scaleb(step)), self.low), self.high)
 
