@@ -11,9 +11,9 @@ from typing import NamedTuple
 from lab.design.document import Changes, Document
 from lab.design.goal import Goal, IsotropicForce, Score
 from lab.design.motor import motor_goal
-from lab.design.target import Reals
 from lab.design.vary import Range, parse_ranges
 from model.machine import Machine, MachineError
+from model.workspace.rows import Array
 
 Values = tuple[Decimal, ...]
 """A value for every range, in the file's unit."""
@@ -58,7 +58,7 @@ class Design:
         except MachineError as error:
             return Outcome(values, None, str(error.problems[0]))
 
-    def merits(self, values: Values) -> Reals:
+    def merits(self, values: Values) -> Array:
         """Merit (k) at every pose of the target; MachineError where there is no such machine."""
         return self.goal.merits(self._candidate(values))
 

@@ -15,6 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import tomlkit
+from tomlkit.container import OutOfOrderTableProxy
+from tomlkit.items import AoT, Item, Table
 
 from model.machine import Machine, load_machine, machine_from
 from model.problem import key_path
@@ -71,7 +73,11 @@ class Document:
     def text_with(self, changes: Changes) -> str:
         """The file with these changes, its comments and layout as they are."""
         document = tomlkit.parse(self.text)
-        _apply(document, changes)
+        for location, text in changes.items():
+            line = _line(document, location)
+            before = _at(document, line).as_string()
+            _apply(document, {location: text})
+            _align_comment(_at(document, line), before)
         return tomlkit.dumps(document)
 
 
@@ -98,6 +104,24 @@ def _at(tables: Any, location: Location) -> Any:
     for part in location:
         tables = tables[part]
     return tables
+
+
+def _line(document: tomlkit.TOMLDocument, location: Location) -> Location:
+    """The location of the whole value that holds a quantity: what one line says after its =."""
+    item: Any = document
+    for end, part in enumerate(location, start=1):
+        item = item[part]
+        if not isinstance(item, Table | AoT | OutOfOrderTableProxy):
+            return location[:end]
+    raise KeyError(location)
+
+
+def _align_comment(item: Item, before: str) -> None:
+    """Keep the comment behind a value in its column; `before` is what stood there."""
+    longer = len(item.as_string()) - len(before)
+    space = item.trivia.comment_ws
+    if item.trivia.comment and not space.strip(" "):
+        item.trivia.comment_ws = " " * max(1, len(space) - longer)
 
 
 def _apply(tables: Any, changes: Changes) -> None:

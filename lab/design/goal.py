@@ -7,8 +7,9 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from lab.design.document import Changes
-from lab.design.target import Reals, isotropic_force
+from lab.design.target import isotropic_force
 from model.machine import Machine
+from model.workspace.rows import Array
 
 
 class Score(NamedTuple):
@@ -31,7 +32,7 @@ class Goal(ABC):
     """What is said of the best machine where none attains the goal; {k} is figure k."""
 
     @abstractmethod
-    def merits(self, machine: Machine) -> Reals:
+    def merits(self, machine: Machine) -> Array:
         """Merit (k) at every pose of the target, for a candidate read with `allowance`."""
 
     @abstractmethod
@@ -58,7 +59,7 @@ class IsotropicForce(Goal):
     figures = ("least isotropic force [N]", "mean isotropic force [N]", "share of target held")
     unattained = "the cables hold the platform in {2:.0%} of the target"
 
-    def merits(self, machine: Machine) -> Reals:
+    def merits(self, machine: Machine) -> Array:
         return isotropic_force(machine)
 
     def score(self, machine: Machine) -> Score:

@@ -9,11 +9,12 @@ import numpy as np
 from lab.design import DesignError
 from lab.design.document import Changes, Document, Location
 from lab.design.goal import Goal, Score
-from lab.design.target import Reals, needed_tension
+from lab.design.target import needed_tension
 from lab.design.vary import Range, in_words
 from model.machine import Machine
 from model.problem import Problem
 from model.quantity import LARGEST, Quantity
+from model.workspace.rows import Array
 
 TENSION: Location = ("tension", "max")
 TORQUE: Location = ("cable_motor", "torque_limit")
@@ -45,7 +46,7 @@ class Motor(Goal):
     tension_unit: str
     torque_unit: str
 
-    def merits(self, machine: Machine) -> Reals:
+    def merits(self, machine: Machine) -> Array:
         torque = np.maximum(needed_tension(machine), self.lowest) * machine.drum.radius
         return np.asarray(-np.minimum(torque, LARGEST))
 

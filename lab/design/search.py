@@ -1,21 +1,22 @@
 """The best machine within the ranges: from the file's own values, and from anywhere.
 
 The merit of a machine is that of its worst pose, so it has kinks where another pose becomes the
-worst, and there a search by its slope alone gets stuck. Sequential linear programming (Madsen
-1975, J. Inst. Maths Applics 16) looks at all poses at once instead: within a trust region it
-makes the worst of their linear models as good as possible. Differential evolution looks elsewhere.
+worst, and a search by its slope alone gets stuck there. Linear programming in a trust region looks
+at all poses at once instead. Differential evolution looks elsewhere.
 """
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import Bounds, OptimizeResult, differential_evolution, linprog, minimize
+from scipy.optimize import Bounds, OptimizeResult, differential_evolution, minimize
 
 from lab.design import DesignError
 from lab.design.design import Design, Outcome, Values
-from lab.design.target import Reals
 from model.machine import MachineError
+from model.workspace.maximin import climb
+from model.workspace.rows import Array
 
 Shares = npt.NDArray[np.float64]
 """A place in the search: for every range the share of it, from 0 to 1."""
@@ -27,10 +28,8 @@ REFUSED = -1e12
 """Merit of a machine that there is not; below that of all that there are."""
 DIFFERENCE = 1e-6
 """Step of a one-sided difference, a share of the range: half the digits of a double are right."""
-FIRST_RADIUS, LAST_RADIUS = 0.1, 1e-7
-MOST_STEPS = 60
-ENOUGH = 1e-9
-"""A predicted gain below this share of the merit is rounding."""
+TRUST = 0.1
+"""Length of the first steps, as a share of every range."""
 POPULATION, GENERATIONS = 10, 40
 POLISH_PER_RANGE = 100
 POLISH_SIZE = 0.02
@@ -72,13 +71,13 @@ class Trials:
             self.outcomes[values] = self.design.outcome(values)
         return merit(self.outcomes[values])
 
-    def merits(self, place: Shares) -> Reals | None:
-        """Merit at every pose, exactly here; None where there is no such machine."""
+    def merits(self, place: Shares) -> Array:
+        """Merit at every pose, exactly here; REFUSED alone where there is no such machine."""
         self.models += 1
         try:
-            return self.design.merits(self._values(place))
+            return self.design.merits(self._values(np.clip(place, 0.0, 1.0)))
         except MachineError:
-            return None
+            return np.array([REFUSED])
 
     def cost(self, place: Shares) -> float:
         """What minimisers minimise."""
@@ -140,60 +139,24 @@ def global_search(trials: Trials, seed: int, tell: Tell) -> None:
 def local_search(trials: Trials, start: Shares) -> None:
     """Uphill from a place: by linear models first, then around what they end at."""
     trials.merit(start)
-    if start.size:
-        trials.merit(climb(trials, start))
-        polish(trials)
+    if not start.size:
+        return
+    poses = trials.merits(start).size
+    if poses > 1:
+        place, _ = climb(trials.merits, partial(slopes, trials), start, TRUST, 0.0, 1.0)
+        trials.merit(place)
+    polish(trials)
 
 
-def climb(trials: Trials, place: Shares) -> Shares:
-    """Sequential linear programming for the largest least merit; where it ends."""
-    merits, radius = trials.merits(place), FIRST_RADIUS
-    for _ in range(MOST_STEPS):
-        if merits is None:
-            break
-        slopes = differences(trials, place, merits)
-        while radius > LAST_RADIUS:
-            ahead, predicted = best_of_model(place, merits, slopes, radius)
-            expected = predicted - merits.min()
-            if expected <= ENOUGH * abs(predicted):
-                return place
-            there = trials.merits(ahead)
-            gain = -np.inf if there is None else (there.min() - merits.min()) / expected
-            radius = radius * 2 if gain > 0.75 else radius if gain > 0.25 else radius / 4
-            if gain > 0:
-                place, merits = ahead, there
-                break
-        else:
-            return place
-    return place
-
-
-def differences(trials: Trials, place: Shares, merits: Reals) -> Reals:
-    """Slopes (k, ranges) of the merits; 0 along a range where there is no machine next to this."""
-    slopes = np.zeros((merits.size, place.size))
+def slopes(trials: Trials, place: Shares, merits: Array) -> Array:
+    """Slopes (k, ranges) of the merits (k); 0 along a range with no machine next to this one."""
+    found = np.zeros((merits.size, place.size))
     for i in range(place.size):
         step = DIFFERENCE if place[i] + DIFFERENCE <= 1 else -DIFFERENCE
         beside = trials.merits(place + step * np.eye(place.size)[i])
-        if beside is not None:
-            slopes[:, i] = (beside - merits) / step
-    return slopes
-
-
-def best_of_model(
-    place: Shares, merits: Reals, slopes: Reals, radius: float
-) -> tuple[Shares, float]:
-    """Where within the radius the least of merits + slopes . step is largest, and how large."""
-    low, high = np.maximum(-radius, -place), np.minimum(radius, 1 - place)
-    scale = max(float(np.abs(merits).max()), 1e-300)
-    found = linprog(
-        np.append(np.zeros(place.size), -1.0),
-        A_ub=np.column_stack([-slopes / scale, np.ones(merits.size)]),
-        b_ub=merits / scale,
-        bounds=[*zip(low, high, strict=True), (None, None)],
-    )
-    if found.x is None:
-        return place, float(merits.min())
-    return np.clip(place + found.x[:-1], 0, 1), float(found.x[-1] * scale)
+        if beside.size == merits.size:
+            found[:, i] = (beside - merits) / step
+    return found
 
 
 def polish(trials: Trials) -> None:

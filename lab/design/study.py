@@ -8,11 +8,14 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
 from distributed import Client, Future, KilledWorker, LocalCluster, as_completed
+from distributed.client import FutureCancelledError
+from distributed.comm import CommClosedError
 from scipy.stats import qmc
 
 from lab.design import DesignError
@@ -100,12 +103,17 @@ def run_study(
     if not todo:
         return
     tell("starting workers", 0.0)
-    with workers(scheduler) as client:
-        results.begin()
-        batches = _batches(todo, sum(client.ncores().values()))
-        for kept in _judged(client, design, points, batches):
-            results.add(kept)
-            tell("judging machines", min(len(results.kept) / len(points), 1.0))
+    try:
+        with workers(scheduler) as client:
+            results.begin()
+            batches = _batches(todo, sum(client.ncores().values()))
+            for kept in _judged(client, design, points, batches):
+                results.add(kept)
+                tell("judging machines", min(len(results.kept) / len(points), 1.0))
+    except (FutureCancelledError, CommClosedError):
+        raise DesignError(
+            f"--scheduler {scheduler}: the connection to it was lost; {results.go_on()}"
+        ) from None
     missing = len(points) - sum(point < len(points) for point in results.kept)
     if missing:
         raise DesignError(
@@ -130,6 +138,7 @@ def workers(scheduler: str | None) -> Iterator[Client]:
             yield client
     else:
         with _connected(scheduler) as client:
+            _refuse_other_versions(client, scheduler)
             yield client
 
 
@@ -147,6 +156,21 @@ def _connected(scheduler: str) -> Client:
         client.close()
         raise DesignError(f"--scheduler {scheduler}: it has no workers") from None
     return client
+
+
+def _refuse_other_versions(client: Client, scheduler: str) -> None:
+    """All of a cluster reads what it works on, so all of it must have this Turnbuckle."""
+    here = version("turnbuckle")
+    try:
+        found = {client.run_on_scheduler(version, "turnbuckle")}
+        found |= set(client.run(version, "turnbuckle").values())
+    except PackageNotFoundError:
+        found = {"not there"}
+    if found != {here}:
+        raise DesignError(
+            f"--scheduler {scheduler}: found Turnbuckle {', '.join(sorted(found))}; allowed:"
+            f" {here}, as here, on the scheduler and on every worker"
+        )
 
 
 def _batches(todo: Sequence[int], cores: int) -> Iterator[list[int]]:
@@ -170,14 +194,11 @@ def _judged(
         [future for _, future in zip(range(IN_FLIGHT), submitted, strict=False)]
     )
     for future in arriving:
-        try:
+        following = next(submitted, None)
+        if following is not None:
+            arriving.add(following)
+        with suppress(KilledWorker):  # it will be seen to be missing
             yield future.result()
-        except KilledWorker:
-            continue
-        finally:
-            following = next(submitted, None)
-            if following is not None:
-                arriving.add(following)
 
 
 def judge(design: Design, numbered: Sequence[tuple[int, Values]]) -> list[Kept]:

@@ -1,74 +1,48 @@
-"""What the cables can do over the target: the one place where a design search asks the model.
+"""What a machine can do over its target: the one place where a design search asks the model.
 
-Poses lie on a grid that spans the target, its border included; every movable base is at its best
-place for the pose.
+Poses lie on a grid that spans the target, its border and its rotations included; every movable base
+is at its target for the pose.
 """
 
-from itertools import product
-from typing import Any, NamedTuple
-
 import numpy as np
-import numpy.typing as npt
 
 from model.machine import Machine
 from model.reference.control import base_targets
-from model.reference.kinematics import structure_matrix
-from model.reference.wrench_set import slabs
+from model.workspace import max_tension
+from model.workspace.force import isotropic_limits
+from model.workspace.grid import target_grid
+from model.workspace.rows import Array
+from model.workspace.structures import structures, target_demand
 
-Reals = npt.NDArray[np.floating[Any]]
-
-POSES_PER_SIDE = 21
-
-
-class Pull(NamedTuple):
-    """What cables at 1 N give along the normal of every side of the set of wrenches (k, sides).
-
-    Along its normal a side is at T_max `along` - T_min `against` from the origin.
-    """
-
-    along: Reals
-    """Sum over the cables that pull along the normal."""
-    against: Reals
-    """Sum over the cables that pull against it, not negative."""
+POSES_PER_SIDE = {2: 21, 3: 9}
+"""By the dimension of the space."""
+ROTATIONS = 3
+"""About every axis, where the target asks for rotation: least, none and largest."""
 
 
-def pull(machine: Machine) -> Pull:
-    """The pull of the cables at all k poses of the target."""
-    poses = target_poses(machine)
-    structure = structure_matrix(machine, poses, base_targets(machine, poses))
-    _, middle, half_width = slabs(machine, structure)
-    least, most = machine.tension.min, machine.tension.max
-    total, size = 2 * middle / (most + least), 2 * half_width / (most - least)
-    along, against = (size + total) / 2, (size - total) / 2
-    # A cable has no direction where a pose is on its pulley: nothing pulls, everything hinders.
-    return Pull(
-        np.nan_to_num(np.concatenate([along, against], axis=-1), nan=0.0),
-        np.nan_to_num(np.concatenate([against, along], axis=-1), nan=len(machine.cables)),
-    )
-
-
-def isotropic_force(machine: Machine) -> Reals:
+def isotropic_force(machine: Machine) -> Array:
     """I_F (k) [N]; where the cables cannot hold the platform below zero, what is missing to it."""
-    cables, bounds = pull(machine), machine.tension
-    return np.asarray(np.min(bounds.max * cables.along - bounds.min * cables.against, axis=-1))
+    bounds = machine.tension
+    limits = isotropic_limits(_structures(machine), bounds.min, bounds.max, machine.space)
+    # No cable has a direction on its pulley: the least force that there can be.
+    least = -len(machine.cables) * bounds.max
+    return np.asarray(np.nan_to_num(limits.min(axis=-1), nan=least))
 
 
-def needed_tension(machine: Machine) -> Reals:
-    """The least T_max (k) [N] that gives the wanted force in every direction; inf for none."""
-    cables = pull(machine)
-    needed = machine.target.force + machine.tension.min * cables.against
-    # A rounding error is no pull.
-    rounding = needed.shape[-1] * np.finfo(needed.dtype).eps
-    able = cables.along > rounding
-    tension = np.where(able, needed / np.where(able, cables.along, 1), np.inf)
-    return np.asarray(np.max(tension, axis=-1))
+def needed_tension(machine: Machine) -> Array:
+    """The least T_max (k) [N] that gives the wanted forces and moments; inf where none does."""
+    wanted = target_demand(machine)._asdict()
+    needed = max_tension.needed_tension(_structures(machine), machine.tension.min, **wanted)
+    return np.nan_to_num(needed, nan=np.inf, posinf=np.inf)
 
 
-def target_poses(machine: Machine) -> Reals:
-    """The grid of poses (k, d) [m]."""
-    target = machine.target
-    axes = [
-        np.linspace(centre - size / 2, centre + size / 2, POSES_PER_SIDE).tolist()
-        for centre, size in zip(target.centre, target.size, strict=True)
-    ]
-    return np.array(list(product(*axes)))
+def target_poses(machine: Machine) -> Array:
+    """The grid of poses (k, d), positions [m] then rotations [rad]."""
+    counts = [POSES_PER_SIDE[machine.space]] * machine.space
+    return target_grid(machine, counts, ROTATIONS if machine.target.rotation else 1).poses()
+
+
+def _structures(machine: Machine) -> Array:
+    """Structure matrices (k, d, n) at the poses of the target."""
+    poses = target_poses(machine)
+    return structures(machine, poses, base_targets(machine, poses))

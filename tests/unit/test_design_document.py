@@ -49,6 +49,38 @@ def test_comments_stay_where_they_are_in_any_layout(tmp_path: Path) -> None:
     assert new == path.read_bytes().decode().replace("'711.8 mm'", '"0.8 m"')
 
 
+def test_comments_keep_their_column() -> None:
+    document = Document.read(STOCK)
+    text = document.text_with(
+        {
+            ("drum", "radius"): "123.4567 mm",
+            ("target", "centre", 0): "1 m",
+            ("plant", "carriage_coulomb_friction"): "a much longer N",
+        }
+    )
+    pairs = zip(document.text.splitlines(), text.splitlines(), strict=True)
+    radius, centre, friction = ((old, new) for old, new in pairs if old != new)
+    assert radius[0].index("#") == radius[1].index("#")
+    assert centre[0].index("#") == centre[1].index("#")
+    assert friction[1].endswith(
+        '"a much longer N" # chosen: an estimate for a sealed guide and a belt'
+    )
+
+
+@pytest.mark.parametrize(
+    "layout",
+    [
+        'tension.max = "10 N" # a\n[drum]\nradius = "5 mm"\n',
+        'tension = { min = "3 N", max = "10 N" }   # a\n',
+        '[tension.more]\nx = 1\n[drum]\n[tension]\nmax = "10 N" # a\n',
+    ],
+)
+def test_any_way_to_write_a_table_is_left_as_it_is(layout: str) -> None:
+    document = Document(Path("any.toml"), layout, tomllib.loads(layout))
+    text = document.text_with({("tension", "max"): "12 N"})
+    assert text == layout.replace("10 N", "12 N")
+
+
 def test_changes_that_make_no_machine_are_told_as_of_that_file() -> None:
     document = Document.read(STOCK)
     with pytest.raises(MachineError) as caught:
