@@ -16,6 +16,7 @@ import numpy as np
 from distributed import Client, Future, KilledWorker, LocalCluster, as_completed
 from distributed.client import FutureCancelledError
 from distributed.comm import CommClosedError
+from distributed.utils import silence_logging_cmgr
 from scipy.stats import qmc
 
 from lab.design import DesignError
@@ -104,7 +105,7 @@ def run_study(
         return
     tell("starting workers", 0.0)
     try:
-        with workers(scheduler) as client:
+        with quiet(), workers(scheduler) as client:
             results.begin()
             batches = _batches(todo, sum(client.ncores().values()))
             for kept in _judged(client, design, points, batches):
@@ -120,6 +121,16 @@ def run_study(
             f"{results.folder}: {missing} results are missing, because workers died over them;"
             f" {results.go_on()}"
         )
+
+
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Without what Dask logs about workers that come and go: what matters is said in words."""
+    with (
+        silence_logging_cmgr(logging.CRITICAL),
+        silence_logging_cmgr(logging.CRITICAL, "distributed.client"),
+    ):
+        yield
 
 
 @contextmanager

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from distributed import Client, LocalCluster
 
+import lab.design.study
 from lab.design import DesignError
 from lab.design.design import Design
 from lab.design.results import Results
@@ -19,7 +20,7 @@ from lab.design.study import Points, judge, plan_study, run_study
 
 ROOT = Path(__file__).parents[2]
 DIAGONAL = ROOT / "tests" / "machines" / "fixed_diagonal.toml"
-VARY = ["cable[2].base[1]=400 mm..520 mm:20", "tension.min=1 N..3 N:20"]
+VARY = ["cable[2].base[1]=400 mm..520 mm:20", "tension.min=1 N..3 N:8"]
 
 
 @pytest.fixture(scope="module")
@@ -77,10 +78,10 @@ def test_a_killed_worker_loses_no_result(
     assert kill.share is not None and kill.share < 0.8, "not killed mid-way"
     with pytest.raises(ProcessLookupError):
         os.kill(pids[0], 0)
-    assert points_in(tmp_path / "results.csv") == Counter(range(400))
-    expected = judge(design, [(point, points.values(point)) for point in range(400)])
-    assert [results.kept[point] for point in range(400)] == expected
-    assert 0 < sum(kept.outcome.score is None for kept in expected) < 400
+    assert points_in(tmp_path / "results.csv") == Counter(range(160))
+    expected = judge(design, [(point, points.values(point)) for point in range(160)])
+    assert [results.kept[point] for point in range(160)] == expected
+    assert 0 < sum(kept.outcome.score is None for kept in expected) < 160
 
 
 def test_a_lost_or_repeated_result_would_be_seen(tmp_path: Path) -> None:
@@ -104,20 +105,20 @@ def test_an_interrupted_study_goes_on_where_it_was(
     results.close()
     before = (tmp_path / "results.csv").read_bytes()
     kept = len(results.kept)
-    assert 0 < kept < 400
+    assert 0 < kept < 160
     again = Results(tmp_path, design, plan)
     assert len(again.kept) == kept
     run_study(design, points, again, cluster.scheduler_address, silent)
     again.close()
     assert (tmp_path / "results.csv").read_bytes().startswith(before)
-    assert points_in(tmp_path / "results.csv") == Counter(range(400))
+    assert points_in(tmp_path / "results.csv") == Counter(range(160))
 
 
 def test_a_finished_study_asks_nobody(tmp_path: Path, design: Design) -> None:
     points, plan = plan_study(design, None, 0)
     results = Results(tmp_path, design, plan)
     results.begin()
-    results.add(judge(design, [(point, points.values(point)) for point in range(400)]))
+    results.add(judge(design, [(point, points.values(point)) for point in range(160)]))
     run_study(design, points, results, "tcp://127.0.0.1:1", silent)
     results.close()
 
@@ -143,10 +144,39 @@ def test_a_scheduler_without_workers_is_told(tmp_path: Path, design: Design) -> 
         run_study(design, points, Results(tmp_path, design, plan), idle.scheduler_address, silent)
 
 
+def test_a_scheduler_that_is_lost_is_told_and_results_are_kept(
+    tmp_path: Path, design: Design, capfd: pytest.CaptureFixture[str]
+) -> None:
+    points, plan = plan_study(design, None, 0)
+    results = Results(tmp_path, design, plan)
+    with LocalCluster(n_workers=1, processes=False, dashboard_address="127.0.0.1:0") as lost:
+
+        def lose(what: str, share: float) -> None:
+            if share > 0.2:
+                lost.close()
+
+        with pytest.raises(DesignError, match=r"the connection to it was lost; \d+ results are kept"):
+            run_study(design, points, results, lost.scheduler_address, lose)
+    results.close()
+    assert len(results.kept) > 0
+    assert points_in(tmp_path / "results.csv") == Counter(results.kept.keys())
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_a_cluster_with_another_turnbuckle_is_refused(
+    tmp_path: Path, design: Design, cluster: LocalCluster, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    points, plan = plan_study(design, None, 0)
+    results = Results(tmp_path, design, plan)
+    monkeypatch.setattr(lab.design.study, "version", lambda name: f"of process {os.getpid()}")
+    with pytest.raises(DesignError, match=f"allowed: of process {os.getpid()}, as here"):
+        run_study(design, points, results, cluster.scheduler_address, silent)
+
+
 def test_a_grid_has_every_combination_with_both_ends(design: Design) -> None:
     points = Points.grid(design.ranges)
     values = {points.values(point) for point in range(len(points))}
-    assert len(values) == 400
+    assert len(values) == 160
     assert {str(one) for one, _ in values} >= {"400.0", "520.0"}
     assert {str(other) for _, other in values} >= {"1.0", "3.0"}
 
