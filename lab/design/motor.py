@@ -60,11 +60,13 @@ class Motor(Goal):
     def _score(self, machine: Machine, tension: float, highest: float) -> Score:
         """With this T_max [N], if it is enough and not above `highest`."""
         needed = needed_tension(machine)
-        served = needed <= min(tension, highest) * (1 + ROUNDING)
-        torque = min(max(tension, float(needed.max())) * machine.drum.radius, LARGEST)
-        # A pose without any force counts more than any torque.
-        merit = -torque - LARGEST * float(np.mean(np.isinf(needed)))
-        return Score(merit, bool(served.all()), (torque, tension, float(served.mean())))
+        possible = np.isfinite(needed)
+        served = possible & (needed <= min(tension, highest) * (1 + ROUNDING))
+        radius = machine.drum.radius
+        torque = min(max(tension, float(needed.max())) * radius, LARGEST)
+        # A pose that no tension serves counts more than any torque.
+        merit = -torque - LARGEST * float(np.mean(~possible))
+        return Score(merit, bool(served.all()), (tension * radius, tension, float(served.mean())))
 
     def allowance(self) -> Changes:
         return ALLOWANCE

@@ -191,6 +191,20 @@ def test_what_the_goal_motor_sets_cannot_vary(vary: str) -> None:
         Design.read(DIAGONAL, [vary], "motor")
 
 
+def test_no_motor_is_large_enough_where_nothing_pulls_to_one_side() -> None:
+    with pytest.raises(NoImprovement, match="the wanted force is to be had in 0% of the target"):
+        found(DIAGONAL, ["cable[2].base[1],cable[3].base[1]=60 mm..100 mm"], goal="motor")
+
+
+def test_a_file_whose_motors_are_too_weak_gets_stronger_ones(tmp_path: Path) -> None:
+    weak = edited(DIAGONAL, tmp_path, ('force = "2 N"', 'force = "4 N"'))
+    better = found(weak, MIRRORED, goal="motor", method="local")
+    assert not better.before.attained and better.before.figures[:2] == (0.05, 10.0)
+    machine = read_back(better, tmp_path)
+    assert machine.tension.max > 10
+    assert least_force(machine) == pytest.approx(4, rel=1e-5)
+
+
 def test_the_same_seed_gives_the_same_bytes() -> None:
     first, second = (found(DIAGONAL, MIRRORED, seed=3).text for _ in range(2))
     assert first == second

@@ -155,7 +155,7 @@ def test_a_scheduler_that_is_lost_is_told_and_results_are_kept(
             if share > 0.2:
                 lost.close()
 
-        with pytest.raises(DesignError, match=r"the connection to it was lost; \d+ results are kept"):
+        with pytest.raises(DesignError, match=r"connection to it was lost; \d+ results are kept"):
             run_study(design, points, results, lost.scheduler_address, lose)
     results.close()
     assert len(results.kept) > 0
