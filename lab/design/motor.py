@@ -51,22 +51,12 @@ class Motor(Goal):
         return np.asarray(-np.minimum(torque, LARGEST))
 
     def score(self, machine: Machine) -> Score:
-        least = max(self.lowest, machine.tension.min * (1 + ROUNDING))
-        return self._score(machine, max(least, float(needed_tension(machine).max())), self.highest)
+        needed = needed_tension(machine)
+        tension = max(self.lowest, float(needed.max()))
+        return _score(machine, needed, tension, self.highest)
 
     def present(self, machine: Machine) -> Score:
-        return self._score(machine, machine.tension.max, machine.tension.max)
-
-    def _score(self, machine: Machine, tension: float, highest: float) -> Score:
-        """With this T_max [N], if it is enough and not above `highest`."""
-        needed = needed_tension(machine)
-        possible = np.isfinite(needed)
-        served = possible & (needed <= min(tension, highest) * (1 + ROUNDING))
-        radius = machine.drum.radius
-        torque = min(max(tension, float(needed.max())) * radius, LARGEST)
-        # A pose that no tension serves counts more than any torque.
-        merit = -torque - LARGEST * float(np.mean(~possible))
-        return Score(merit, bool(served.all()), (tension * radius, tension, float(served.mean())))
+        return _score(machine, needed_tension(machine), machine.tension.max, machine.tension.max)
 
     def allowance(self) -> Changes:
         return ALLOWANCE
@@ -99,6 +89,17 @@ def motor_goal(document: Document, ranges: Sequence[Range]) -> tuple[Motor, tupl
             lowest, highest = (float(end) * _in_si(unit, "N") for end in (range_.low, range_.high))
     reserve = machine.cable_motor.torque_limit / (machine.tension.max * machine.drum.radius)
     return Motor(lowest, highest, reserve, unit, torque_unit), tuple(rest)
+
+
+def _score(machine: Machine, needed: Array, tension: float, highest: float) -> Score:
+    """With this T_max [N] where poses need so much (k) [N], and no more than `highest` is there."""
+    possible = np.isfinite(needed)
+    served = possible & (needed <= min(tension, highest) * (1 + ROUNDING))
+    radius = machine.drum.radius
+    torque = min(max(tension, float(needed.max())) * radius, LARGEST)
+    # A pose that no tension serves counts more than any torque.
+    merit = -torque - LARGEST * float(np.mean(~possible))
+    return Score(merit, bool(served.all()), (tension * radius, tension, float(served.mean())))
 
 
 def _rounded_up(value: float) -> Decimal:
