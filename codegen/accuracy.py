@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.composite import Item
+from codegen.composite import Item, cost
 from codegen.double_double import DoubleDouble
 from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, Result, double_for, evaluate, extended
 from codegen.samples import Sampler
@@ -20,6 +20,10 @@ Array = NDArray[np.float64]
 
 #: Points tried at first, and again around the worst ones in every round of the search.
 FIRST_POINTS, ROUND_POINTS, ROUNDS = 8192, 2048, 3
+#: Operations times points that one search may take at first; costly functions get fewer points ...
+MOST_WORK = 1.5e8
+#: ... but no fewer than these.
+FEWEST_POINTS = 256
 #: The stated bound over the worst error found.
 MARGIN = 4.0
 
@@ -47,7 +51,8 @@ class Accuracy:
 
 def measure(machine: Machine, routine: Item, seed: int = 1) -> Accuracy:
     """Search the working domain for the largest errors of a routine."""
-    sampler = Sampler(machine, seed, FIRST_POINTS)
+    share = point_share(routine)
+    sampler = Sampler(machine, seed, int(share * FIRST_POINTS))
     function = routine.function
     points = [sampler.argument(function.name, a.name, a.size) for a in function.inputs]
     results: dict[str, dict[str, WorstCase]] = {output.name: {} for output in function.outputs}
@@ -56,6 +61,13 @@ def measure(machine: Machine, routine: Item, seed: int = 1) -> Accuracy:
         for output, case in zip(function.outputs, worst, strict=True):
             results[output.name][arithmetic.name] = case
     return Accuracy(results)
+
+
+def point_share(routine: Item) -> float:
+    """The share of the usual points that a routine is tried at; less than 1 where it is costly."""
+    operations = sum(cost(routine).values())
+    affordable = MOST_WORK / max(operations * FIRST_POINTS, 1)
+    return min(1.0, max(affordable, FEWEST_POINTS / FIRST_POINTS))
 
 
 class Search:
@@ -88,7 +100,8 @@ class Search:
         self, points: list[Array], errors: Array, spread: list[Array], scale: float
     ) -> list[Array]:
         """New points around those with the largest errors."""
-        leaders = np.argsort(-errors.max(axis=1), kind="stable")[: ROUND_POINTS // 16]
+        count = max(1, int(point_share(self.routine) * ROUND_POINTS) // 16)
+        leaders = np.argsort(-errors.max(axis=1), kind="stable")[:count]
         chosen = np.repeat(leaders, 16)
         moved = []
         for p, width in zip(points, spread, strict=True):
