@@ -51,7 +51,7 @@ def random_poses(machine: Machine, count: int, random: np.random.Generator) -> R
 
 def random_rails(machine: Machine, count: int, random: np.random.Generator) -> Reals:
     """Rail coordinates (count, m) [m] anywhere on the rails."""
-    lengths = [rail.length for _, rail in kinematics.rails_of(machine)]
+    lengths = [rail.length for rail in machine.rails]
     return random.uniform(0.0, lengths, (count, len(lengths)))
 
 

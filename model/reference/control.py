@@ -10,8 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import DisturbanceObserver, Machine, RailDrive
-from model.reference.kinematics import rail_line, rails_of
-from model.reference.planar import Array, as_floating, least_norm
+from model.reference.arrays import Array, as_floating
+from model.reference.bases import Travel, travels
+from model.reference.kinematics import anchor_points, moment_lever
+from model.reference.linear import least_norm
 from model.reference.statics import wrench
 
 INTEGRAL, MEASURED, SPEED = range(3)
@@ -38,32 +40,56 @@ def motor_torques(machine: Machine, tension: npt.ArrayLike) -> Array:
 
 
 def wall_force(machine: Machine, pose: npt.ArrayLike, velocity: npt.ArrayLike) -> Array:
-    """Force (..., 2) [N] of all walls on the handle (Yoon eqs 26, 27).
+    """Wrench (..., d) [N, N m] of all walls on the platform (Yoon eqs 26, 27).
 
-    A wall pushes along its normal with stiffness times depth minus damping times normal speed.
-    It never pulls: the paper's damper would, when the handle leaves quickly.
+    A wall pushes on the platform's centre along its normal, with stiffness times depth minus
+    damping times normal speed; it exerts no moment. It never pulls: the paper's damper would, when
+    the handle leaves quickly.
     """
     pose, velocity = as_floating(pose, velocity)
     force = np.zeros(np.broadcast_shapes(pose.shape, velocity.shape), pose.dtype)
+    centre, speed = pose[..., : machine.space], velocity[..., : machine.space]
     for wall in machine.walls:
         normal = np.asarray(wall.normal, pose.dtype)
-        depth = np.sum((np.asarray(wall.point, pose.dtype) - pose) * normal, axis=-1)
-        push = wall.stiffness * depth - wall.damping * np.sum(velocity * normal, axis=-1)
-        force += np.where(depth > 0, np.maximum(push, 0), 0)[..., None] * normal
+        depth = np.sum((np.asarray(wall.point, pose.dtype) - centre) * normal, axis=-1)
+        push = wall.stiffness * depth - wall.damping * np.sum(speed * normal, axis=-1)
+        pushing = np.where(depth > 0, np.maximum(push, 0), 0)
+        force[..., : machine.space] += pushing[..., None] * normal
     return force
 
 
 def base_targets(machine: Machine, pose: npt.ArrayLike) -> Array:
-    """Rail coordinates (..., m) [m] nearest to the pose: the feet of the perpendiculars, clamped.
+    """Rail coordinates (..., m) [m] that bring the bases nearest to their anchors, clamped.
 
-    On the rails of Yoon's frame this is the orthogonal configuration (section III-B).
+    On the rails of Yoon's frame this is the orthogonal configuration (section III-B). A coordinate
+    that moves several bases goes to the mean of what they ask for. A base on a plane in space goes
+    to the foot of the perpendicular; in the plane, where it could reach the anchor itself, it rests
+    on its first side: second coordinate 0.
     """
-    (pose,) = as_floating(pose)
-    targets = np.empty((*pose.shape[:-1], len(machine.rails)), pose.dtype)
-    for k, (_, rail) in enumerate(rails_of(machine)):
-        start, direction, length = rail_line(rail, pose.dtype)
-        targets[..., k] = np.clip(np.sum((pose - start) * direction, axis=-1), 0, length)
+    anchors = anchor_points(machine, pose)
+    wanted: list[list[Array]] = [[] for _ in machine.rails]
+    for i, travel in enumerate(travels(machine, anchors.dtype)):
+        span = anchors[..., i, :] - travel.start
+        feet = _foot(span, travel, resting=machine.space == 2)
+        for (k, _), foot in zip(travel.directions, feet, strict=True):
+            wanted[k].append(foot)
+    targets = np.empty((*anchors.shape[:-2], len(machine.rails)), anchors.dtype)
+    for k, (feet, rail) in enumerate(zip(wanted, machine.rails, strict=True)):
+        targets[..., k] = np.clip(sum(feet) / len(feet), 0, rail.length)
     return targets
+
+
+def _foot(span: Array, travel: Travel, resting: bool) -> list[Array]:
+    """Coordinates (...) of the foot of the perpendicular from start + span; see base_targets."""
+    along = [np.sum(span * direction, axis=-1) for _, direction in travel.directions]
+    if len(along) < 2:
+        return along
+    if resting:
+        return [along[0], np.zeros_like(along[1])]
+    cosine = np.sum(travel.directions[0][1] * travel.directions[1][1])
+    sine_square = (1 - cosine) * (1 + cosine)
+    u, v = along
+    return [(u - cosine * v) / sine_square, (v - cosine * u) / sine_square]
 
 
 def base_pid(
@@ -96,14 +122,17 @@ def load_tension(
     tension: npt.ArrayLike,
     hand_force: npt.ArrayLike,
 ) -> Array:
-    """What the cables carry (..., n) [N] when the hand pushes the handle with (..., 2) [N].
+    """What the cables carry (..., n) [N] when the hand exerts a wrench (..., d) [N, N m].
 
     The tensions nearest to the commanded ones that balance the hand, S T = -hand_force. They may
-    leave the bounds: they are a load, not a command.
+    leave the bounds: they are a load, not a command. NaN where the cables do not span.
     """
     structure, tension, hand_force = as_floating(structure, tension, hand_force)
     missing = -hand_force - wrench(machine, structure, tension)
-    return np.asarray(tension + least_norm(np.swapaxes(structure, -1, -2), missing))
+    # in units of the lever moments and forces count alike for the rank
+    lever = moment_lever(machine, structure.dtype)
+    columns = np.swapaxes(structure, -1, -2) / lever
+    return np.asarray(tension + least_norm(columns, missing / lever))
 
 
 def observer_filters(

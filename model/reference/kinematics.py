@@ -1,8 +1,9 @@
-"""Kinematics of a point platform with movable bases (Yoon section II-A, eqs 1 to 6, 18 to 20).
+"""Kinematics with movable bases (Yoon section II-A, eqs 1 to 6, 18 to 20), for every kind.
 
-pose (..., 2) [m], rails (..., m) [m along each rail from its start]. A machine without rails does
-not read `rails`. n cables, m rails. Rail coordinate k moves the cables
-`machine.rails[k].cables`.
+pose (..., d): position [m], then for rigid platforms the angle or the rotation vector [rad].
+rails (..., m): rail coordinates s [m]; a machine without rails does not read them. n cables.
+Rates of a platform in space are twists: velocity of its centre [m/s], then angular velocity [rad/s]
+in the fixed frame.
 """
 
 from typing import NamedTuple
@@ -10,67 +11,80 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.base import RailBase
 from model.machine import Machine
-from model.reference.planar import Array, as_floating, in_chunks, least_squares, norm
-
-MOST_ITERATIONS = 100
-MOST_HALVINGS = 40
+from model.reference.arrays import Array, as_floating, in_chunks, unit
+from model.reference.bases import travels
+from model.reference.cable_path import Path, cable_path
+from model.reference.linear import least_squares
+from model.reference.orientation import moment, rotation, twist_of_vector
+from model.reference.pose_fit import Misfit, fit_pose, pose_from_points
 
 
 class ForwardKinematics(NamedTuple):
-    """pose (..., 2) [m]; residual (...) [m], the norm of l_i - |b_i - c|."""
+    """pose (..., d) [m, rad]; residual (...) [m], the norm of the lengths the pose misses."""
 
     pose: Array
     residual: Array
 
 
 def base_points(machine: Machine, rails: npt.ArrayLike) -> Array:
-    """Pulley points b_i (..., n, 2) [m] for the rail coordinates."""
-    (coordinates,) = as_floating(rails)
-    batch = coordinates.shape[:-1]
-    points = np.empty((*batch, len(machine.cables), 2), coordinates.dtype)
-    for i, cable in enumerate(machine.cables):
-        if isinstance(cable.base, RailBase):
-            start, along, _ = rail_line(cable.base, coordinates.dtype)
-            coordinate = coordinates[..., machine.base_motions[i].travel[0][0]]
-            points[..., i, :] = start + coordinate[..., None] * along
-        else:
-            points[..., i, :] = machine.base_motions[i].start
+    """Base points b_i (..., n, space) [m] for the rail coordinates."""
+    (rails,) = as_floating(rails)
+    points = np.empty((*rails.shape[:-1], len(machine.cables), machine.space), rails.dtype)
+    for i, travel in enumerate(travels(machine, rails.dtype)):
+        points[..., i, :] = travel.start
+        for k, direction in travel.directions:
+            points[..., i, :] += rails[..., k, None] * direction
     return points
 
 
+def anchor_points(machine: Machine, pose: npt.ArrayLike) -> Array:
+    """Anchor points c + R p_i (..., n, space) [m]: where the platform holds the cables."""
+    (pose,) = as_floating(pose)
+    return pose[..., None, : machine.space] + _arms(machine, pose)
+
+
 def cable_vectors(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
-    """Cable vectors l_i = b_i - c (..., n, 2) [m], from the platform to its base (Yoon eq. 1)."""
+    """Cable vectors l_i (..., n, space) [m], from the anchor to the base (Yoon eq. 1).
+
+    Over a pulley of some radius: to the point where the cable leaves it; NaN inside the pulley.
+    """
     pose, rails = as_floating(pose, rails)
-    return np.asarray(base_points(machine, rails) - pose[..., None, :])
+    return _paths(machine, pose, rails)[0]
 
 
 def cable_lengths(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
-    """Cable lengths |l_i| (..., n) [m] (Yoon eq. 18)."""
-    return norm(cable_vectors(machine, pose, rails))
+    """Cable lengths (..., n) [m] (Yoon eq. 18), with the part that lies on the pulley."""
+    pose, rails = as_floating(pose, rails)
+    return _paths(machine, pose, rails)[1]
 
 
 def structure_matrix(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
-    """Structure matrix S (..., 2, n): column i is the unit vector of l_i (Yoon eqs 7, 21).
+    """Structure matrix S (..., d, n) (Yoon eqs 7, 21): column i is u_i, then (R p_i) x u_i [m].
 
-    Column i is NaN where the platform touches pulley i.
+    u_i is the unit vector of l_i. Column i is NaN where the anchor touches pulley i.
     """
-    return np.swapaxes(_directions(cable_vectors(machine, pose, rails)), -1, -2)
+    pose, rails = as_floating(pose, rails)
+    directions = unit(cable_vectors(machine, pose, rails))
+    if machine.is_rigid:
+        moments = moment(_arms(machine, pose), directions)
+        directions = np.concatenate([directions, moments], axis=-1)
+    return np.swapaxes(directions, -1, -2)
 
 
 def length_jacobian(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
-    """d length / d pose (..., n, 2) = -S^T (Yoon eq. 3)."""
+    """d length / d pose (..., n, d) = -S^T (Yoon eq. 3); in space per twist of the platform."""
     return np.asarray(-np.swapaxes(structure_matrix(machine, pose, rails), -1, -2))
 
 
 def rail_jacobian(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
     """d length / d rails (..., n, m): unit cable vector times rail direction (Yoon eq. 3)."""
-    directions = _directions(cable_vectors(machine, pose, rails))
+    pose, rails = as_floating(pose, rails)
+    directions = unit(cable_vectors(machine, pose, rails))
     jacobian = np.zeros((*directions.shape[:-1], len(machine.rails)), directions.dtype)
-    for k, (i, rail) in enumerate(rails_of(machine)):
-        _, along, _ = rail_line(rail, directions.dtype)
-        jacobian[..., i, k] = np.sum(directions[..., i, :] * along, axis=-1)
+    for i, travel in enumerate(travels(machine, directions.dtype)):
+        for k, direction in travel.directions:
+            jacobian[..., i, k] = np.sum(directions[..., i, :] * direction, axis=-1)
     return jacobian
 
 
@@ -81,94 +95,87 @@ def task_velocity(
     length_rates: npt.ArrayLike,
     rail_rates: npt.ArrayLike,
 ) -> Array:
-    """Velocity of the platform (..., 2) [m/s] from length rates (..., n) and rail rates (..., m).
+    """Velocity of the platform (..., d) [m/s, rad/s] from the rates of lengths and rails [m/s].
 
     The least-squares solution of Yoon eq. 3 with every row divided by its cable length: Yoon's
     B^+ A (eqs 6, 20) weights the rows by length and agrees only where the rates are consistent.
+    NaN where the lengths do not tell the velocity. length_rates (..., n), rail_rates (..., m).
     """
     pose, rails, length_rates, rail_rates = as_floating(pose, rails, length_rates, rail_rates)
     reel = length_rates
     if machine.rails:
         along = rail_jacobian(machine, pose, rails)
         reel = reel - np.sum(along * rail_rates[..., None, :], axis=-1)
-    return least_squares(length_jacobian(machine, pose, rails), reel)
+    # in units of the lever rotations and translations count alike for the rank
+    lever = moment_lever(machine, pose.dtype)
+    return least_squares(length_jacobian(machine, pose, rails) / lever, reel) / lever
 
 
 def forward_kinematics(
-    machine: Machine, lengths: npt.ArrayLike, rails: npt.ArrayLike
+    machine: Machine,
+    lengths: npt.ArrayLike,
+    rails: npt.ArrayLike,
+    guess: npt.ArrayLike | None = None,
 ) -> ForwardKinematics:
-    """The pose whose cable lengths fit best: least sum of (l_i - |b_i - c|)^2 (Yoon eq. 19).
+    """The pose whose cable lengths fit best: least sum of squared errors (Yoon eq. 19).
 
-    The differences of the squared lengths are linear in the pose and give the start; damped
-    Gauss-Newton in long double goes to convergence. NaN where all bases lie on one line, because
-    two mirrored poses then have the same lengths.
+    Point platforms without pulleys of some radius need no guess: the differences of the squared
+    lengths are linear in the pose and give the start. NaN where all bases lie on one line (in
+    space: in one plane), because two mirrored poses then have the same lengths. All others start
+    from `guess` (..., d) and find the pose next to it; ValueError without one. Damped Gauss-Newton
+    in long double goes to convergence. lengths (..., n) [m].
     """
-    lengths, rails = as_floating(lengths, rails)
-    wide = lengths.astype(np.longdouble)
-    points = base_points(machine, rails.astype(np.longdouble))
-    pose, residual = in_chunks(_fit_pose, (points, 2), (wide, 1))
+    closed_form = not machine.is_rigid and not any(machine.pulleys)
+    if not closed_form and guess is None:
+        raise ValueError(f"machine {machine.name} needs a guess of the pose to find it")
+    start = np.zeros(machine.dof) if closed_form or guess is None else guess
+    lengths, rails, start = as_floating(lengths, rails, start)
+
+    def fit(wanted: Array, coordinates: Array, pose: Array) -> tuple[Array, Array]:
+        def misfit(x: Array, rows: npt.NDArray[np.intp]) -> Misfit:
+            errors = wanted[rows] - cable_lengths(machine, x, coordinates[rows])
+            return Misfit(errors, _pose_jacobian(machine, x, coordinates[rows]))
+
+        if closed_form:
+            pose = pose_from_points(base_points(machine, coordinates), wanted)
+        size = np.max(np.abs(wanted), axis=-1)
+        return fit_pose(misfit, pose, moment_lever(machine, pose.dtype), size)
+
+    inputs = [(part.astype(np.longdouble), 1) for part in (lengths, rails, start)]
+    pose, residual = in_chunks(fit, *inputs)
     return ForwardKinematics(pose.astype(lengths.dtype), residual.astype(lengths.dtype))
 
 
-def rails_of(machine: Machine) -> list[tuple[int, RailBase]]:
-    """Index of the cable and rail, in the order of the rail coordinates."""
-    bases = ((i, cable.base) for i, cable in enumerate(machine.cables))
-    return [(i, base) for i, base in bases if isinstance(base, RailBase)]
+def rotation_jacobian(machine: Machine, pose: Array) -> Array:
+    """Twist of the platform (..., d, d) over the rate of its pose (..., d)."""
+    jacobian = np.zeros((*pose.shape, machine.dof), pose.dtype)
+    jacobian[...] = np.eye(machine.dof, dtype=pose.dtype)
+    if machine.kind == "spatial-rigid":
+        jacobian[..., 3:, 3:] = twist_of_vector(pose[..., 3:])
+    return jacobian
 
 
-def rail_line(base: RailBase, dtype: np.dtype[np.floating]) -> tuple[Array, Array, Array]:
-    """Start point (2) [m], unit direction (2) and length () [m] of a rail, in the given type."""
-    start = np.asarray(base.start, dtype)
-    span = np.asarray(base.end, dtype) - start
-    length = norm(span)
-    return start, np.asarray(span / length), length
+def moment_lever(machine: Machine, dtype: np.dtype[np.floating]) -> Array:
+    """(d): 1 for every translation, the platform's lever [m] for every rotation."""
+    lever = np.ones(machine.dof, dtype)
+    lever[machine.space :] = machine.lever
+    return lever
 
 
-def _directions(vectors: Array) -> Array:
-    with np.errstate(invalid="ignore"):
-        return np.asarray(vectors / norm(vectors)[..., None])
+def _pose_jacobian(machine: Machine, pose: Array, rails: Array) -> Array:
+    return np.asarray(length_jacobian(machine, pose, rails) @ rotation_jacobian(machine, pose))
 
 
-def _fit_pose(points: Array, lengths: Array) -> tuple[Array, Array]:
-    pose = _intersect_circles(points, lengths)
-    rounding = 64 * np.finfo(pose.dtype).eps * np.max(np.abs(lengths), axis=-1)
-    moving = np.flatnonzero(np.isfinite(pose[:, 0]))
-    for _ in range(MOST_ITERATIONS):
-        step = _gauss_newton_step(points[moving], lengths[moving], pose[moving])
-        step = _damped(points[moving], lengths[moving], pose[moving], step, rounding[moving])
-        pose[moving] += step
-        moving = moving[norm(step) > rounding[moving]]
-        if not moving.size:
-            break
-    return pose, norm(_length_errors(points, lengths, pose))
+def _arms(machine: Machine, pose: Array) -> Array:
+    """R p_i (..., n, space) [m]."""
+    anchors = np.asarray(machine.anchors, pose.dtype)
+    turned = rotation(machine, pose)[..., None, :, :] * anchors[:, None, :]
+    return np.asarray(np.sum(turned, axis=-1))
 
 
-def _intersect_circles(points: Array, lengths: Array) -> Array:
-    """2 (b_i - mean b) . c = (|b_i|^2 - l_i^2) - its mean, taken about the mean base."""
-    centre = np.mean(points, axis=-2, keepdims=True)
-    about = points - centre
-    power = (np.sum(about**2, axis=-1) - lengths**2) / 2
-    offset = least_squares(about, power - np.mean(power, axis=-1, keepdims=True))
-    return np.asarray(centre[..., 0, :] + offset)
-
-
-def _length_errors(points: Array, lengths: Array, pose: Array) -> Array:
-    return np.asarray(lengths - norm(points - pose[..., None, :]))
-
-
-def _gauss_newton_step(points: Array, lengths: Array, pose: Array) -> Array:
-    vectors = points - pose[..., None, :]
-    distance = norm(vectors)[..., None]
-    rows = np.divide(vectors, distance, out=np.zeros_like(vectors), where=distance > 0)
-    return least_squares(rows, -_length_errors(points, lengths, pose))
-
-
-def _damped(points: Array, lengths: Array, pose: Array, step: Array, rounding: Array) -> Array:
-    """The step, halved until it does not worsen the fit by more than rounding."""
-    acceptable = norm(_length_errors(points, lengths, pose)) + rounding
-    for _ in range(MOST_HALVINGS):
-        worse = norm(_length_errors(points, lengths, pose + step)) > acceptable
-        if not np.any(worse):
-            break
-        step = np.where(worse[:, None], step / 2, step)
-    return step
+def _paths(machine: Machine, pose: Array, rails: Array) -> Path:
+    """Vectors (..., n, space) and lengths (..., n) [m] of all cables."""
+    spans = anchor_points(machine, pose) - base_points(machine, rails)
+    paths = [cable_path(spans[..., i, :], pulley) for i, pulley in enumerate(machine.pulleys)]
+    vectors = np.stack([path.vector for path in paths], axis=-2)
+    return Path(vectors, np.stack([path.length for path in paths], axis=-1))

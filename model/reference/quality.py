@@ -8,8 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
+from model.reference.arrays import Array
 from model.reference.kinematics import structure_matrix
-from model.reference.planar import Array, cross
+from model.reference.planar import cross
 from model.reference.tension import minimum_norm_tension, wrench_feasible
 from model.reference.wrench_set import slabs
 

@@ -4,8 +4,8 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
+from model.reference.arrays import Array, as_floating
 from model.reference.kinematics import rail_jacobian
-from model.reference.planar import Array, as_floating
 
 
 def wrench(machine: Machine, structure: npt.ArrayLike, tension: npt.ArrayLike) -> Array:

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from model.machine import Machine
 from model.reference.active_sets import least_norm
-from model.reference.planar import Array, as_floating, in_chunks
+from model.reference.arrays import Array, as_floating, in_chunks
 from model.reference.wrench_set import closest_wrench, contains, largest_share
 
 POLICIES = ("scale", "closest", "paper")

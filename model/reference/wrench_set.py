@@ -8,7 +8,8 @@ import numpy.typing as npt
 
 from model.machine import Machine
 from model.reference.active_sets import ROUNDINGS
-from model.reference.planar import Array, inner_products, minors, norm
+from model.reference.arrays import Array, norm
+from model.reference.planar import inner_products, minors
 
 
 def slabs(machine: Machine, structure: Array) -> tuple[Array, Array, Array]:

@@ -1,0 +1,67 @@
+"""The pose whose cable lengths fit best, by damped Gauss-Newton from a start."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from model.reference.arrays import Array, norm
+from model.reference.linear import least_squares
+
+MOST_ITERATIONS = 100
+MOST_HALVINGS = 40
+
+
+class Misfit(NamedTuple):
+    """errors (rows, n) [m], wanted minus found length; jacobian (rows, n, d), d length / d pose."""
+
+    errors: Array
+    jacobian: Array
+
+
+#: Of poses (rows, d), for the rows of the batch with these numbers.
+MisfitAt = Callable[[Array, npt.NDArray[np.intp]], Misfit]
+
+
+def pose_from_points(points: Array, lengths: Array) -> Array:
+    """Where circles (spheres) about points (rows, n, d) [m] with radii (rows, n) [m] meet.
+
+    2 (b_i - mean b) . c = (|b_i|^2 - l_i^2) - its mean, taken about the mean point.
+    """
+    centre = np.mean(points, axis=-2, keepdims=True)
+    about = points - centre
+    power = (np.sum(about**2, axis=-1) - lengths**2) / 2
+    offset = least_squares(about, power - np.mean(power, axis=-1, keepdims=True))
+    return np.asarray(centre[..., 0, :] + offset)
+
+
+def fit_pose(misfit: MisfitAt, start: Array, lever: Array, size: Array) -> tuple[Array, Array]:
+    """Pose (rows, d) and residual (rows) [m] from a start (rows, d).
+
+    lever (d) [1, m]: makes a step of the pose a length; size (rows) [m]: what rounding counts by.
+    """
+    pose: Array = start.copy()
+    rounding = 64 * np.finfo(pose.dtype).eps * size
+    moving = np.flatnonzero(np.all(np.isfinite(pose), axis=-1))
+    for _ in range(MOST_ITERATIONS):
+        at = misfit(pose[moving], moving)
+        step: Array = least_squares(at.jacobian / lever, at.errors) / lever
+        step = _damped(misfit, moving, pose[moving], step, norm(at.errors) + rounding[moving])
+        pose[moving] += step
+        moving = moving[norm(step * lever) > rounding[moving]]
+        if not moving.size:
+            break
+    return pose, norm(misfit(pose, np.arange(len(pose))).errors)
+
+
+def _damped(
+    misfit: MisfitAt, rows: npt.NDArray[np.intp], pose: Array, step: Array, acceptable: Array
+) -> Array:
+    """The step, halved until it does not worsen the fit by more than rounding."""
+    for _ in range(MOST_HALVINGS):
+        worse = ~(norm(misfit(pose + step, rows).errors) <= acceptable)
+        if not np.any(worse):
+            break
+        step = np.where(worse[:, None], step / 2, step)
+    return step
