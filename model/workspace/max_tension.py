@@ -18,8 +18,8 @@ from model.workspace.rows import Array
 
 def needed_tension(
     structure: npt.ArrayLike,
+    lower: float,
     force: float,
-    lower: float = 0.0,
     moment: float = 0.0,
     space: int | None = None,
 ) -> Array:
@@ -71,9 +71,9 @@ def max_tension_eq17(structure: npt.ArrayLike, force: float) -> Array:
     overlooks the larger of two gaps: `max_tension_adjacent` is right.
     """
     s = np.asarray(structure, np.float64)
-    sines = np.abs(_cross(s[..., :, None], s[..., None, :]))
-    n = s.shape[-1]
-    others = ~np.eye(n, dtype=np.bool_)
+    x, y = s[..., 0, :], s[..., 1, :]
+    sines = np.abs(x[..., :, None] * y[..., None, :] - y[..., :, None] * x[..., None, :])
+    others = ~np.eye(s.shape[-1], dtype=np.bool_)
     with np.errstate(divide="ignore"):
         tension = np.where(others, force / sines, 0)
     return np.asarray(np.sort(tension, axis=-1)[..., -2])
@@ -95,7 +95,3 @@ def max_tension_adjacent(structure: npt.ArrayLike, force: float) -> Array:
     result = np.empty(shared.shape)
     np.put_along_axis(result, order, shared, axis=-1)
     return result
-
-
-def _cross(a: Array, b: Array) -> Array:
-    return np.asarray(a[..., 0, :, :] * b[..., 1, :, :] - a[..., 1, :, :] * b[..., 0, :, :])

@@ -75,7 +75,7 @@ def test_the_rule_of_the_second_maximum_is_wrong_away_from_the_centre() -> None:
     pose = cables(SQUARE, [0.8, 0.1])
     assert np.max(max_tension_eq17(pose, 1)) == pytest.approx(1.389, abs=5e-4)
     assert np.max(max_tension_adjacent(pose, 1)) == pytest.approx(2.5769, abs=5e-5)
-    assert needed_tension(pose, 1) == pytest.approx(2.5769, abs=5e-5)
+    assert needed_tension(pose, 0, 1) == pytest.approx(2.5769, abs=5e-5)
 
 
 @pytest.mark.parametrize("n", [3, 4])
@@ -175,7 +175,7 @@ def test_the_area_of_a_circle_comes_from_its_arc() -> None:
 
 def test_the_centre_of_a_regular_tetrahedron_gives_the_root_of_two_thirds() -> None:
     s = cables(TETRAHEDRON, [0.0, 0.0, 0.0])
-    for measure in (isotropic_force(s, 0, 1), capable_ratio_eq23(s), 1 / needed_tension(s, 1)):
+    for measure in (isotropic_force(s, 0, 1), capable_ratio_eq23(s), 1 / needed_tension(s, 0, 1)):
         assert measure == pytest.approx(np.sqrt(2 / 3), rel=20 * EPS)
 
 
@@ -190,7 +190,7 @@ def test_equation_23_with_the_smallest_ratio_is_exact_in_a_tetrahedron() -> None
 def test_equation_12_is_tight_with_one_redundant_cable(pulleys: Doubles) -> None:
     s = cables(pulleys, poses_among(pulleys, 3000))
     tension = np.max(max_tension_eq12(s, 10), axis=-1)
-    assert np.allclose(tension, needed_tension(s, 10), rtol=1e-9)
+    assert np.allclose(tension, needed_tension(s, 0, 10), rtol=1e-9)
 
 
 def test_equation_12_covers_equations_14_and_18() -> None:
@@ -210,7 +210,7 @@ def test_equation_12_covers_equations_14_and_18() -> None:
 def test_equation_12_finds_no_limit_where_no_choice_of_cables_is_regular() -> None:
     s = np.array([[1.0, -1.0, 1.0], [0.0, 0.0, 0.0]])
     assert np.all(np.isinf(max_tension_eq12(s, 1)))
-    assert np.isinf(needed_tension(s, 1)) and needed_tension(s, 0, lower=2) == 4
+    assert np.isinf(needed_tension(s, 0, 1)) and needed_tension(s, 2, 0) == 4
 
 
 @pytest.mark.parametrize(("d", "n", "space"), [(2, 4, 2), (3, 6, 3), (3, 6, 2), (6, 12, 3)])
@@ -218,7 +218,7 @@ def test_the_needed_tension_is_just_enough(d: int, n: int, space: int) -> None:
     rng = np.random.default_rng(d)
     s = rng.normal(size=(100, d, n))
     s /= np.linalg.norm(s, axis=1, keepdims=True)
-    needed = needed_tension(s, 2.0, 0.5, 0.3 * (d > space), space)
+    needed = needed_tension(s, 0.5, 2.0, 0.3 * (d > space), space)
     possible = np.isfinite(needed)
     assert np.array_equal(possible, wrench_closure(s)) and np.sum(possible) > 3
     for row, upper in zip(s[possible], needed[possible], strict=True):
