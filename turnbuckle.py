@@ -129,9 +129,10 @@ def generate(
 
 def write_changed(machine: Machine, folder: Path) -> tuple[dict[str, str], bool]:
     """The generated files of a machine, and whether the folder had to be written."""
-    from codegen.generate import generate, refuse_foreign, write
+    from codegen.folder import refuse_foreign
+    from codegen.generate import MANIFEST, generate, write
 
-    refuse_foreign(folder)  # before the long work rather than after it
+    refuse_foreign(folder, MANIFEST)  # before the long work rather than after it
     files = generate(machine)
     changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
     if changed:
@@ -358,10 +359,11 @@ def errors_in_words() -> Iterator[None]:
 def refusals() -> tuple[type[Exception], ...]:
     """Errors whose text is written for the user; imported only when there has been an error."""
     from codegen.compile import CompileError
+    from codegen.folder import FolderError
     from codegen.generate import GenerateError
     from model.machine import MachineError
 
-    return MachineError, GenerateError, CompileError
+    return MachineError, GenerateError, FolderError, CompileError
 
 
 def fail(message: str, status: int = CANNOT) -> NoReturn:
