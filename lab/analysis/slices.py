@@ -81,9 +81,7 @@ def slices(machine: Machine) -> list[Slice]:
     size, most = machine.frame.size, CELLS[machine.kind]
     cell = max(size) / most
     counts = [max(1, round(side / cell)) for side in size]
-    middles = [
-        (np.arange(n) + 0.5) * side / n for side, n in zip(size, counts, strict=True)
-    ]
+    middles = [(np.arange(n) + 0.5) * side / n for side, n in zip(size, counts, strict=True)]
     return [
         Slice((a, b), machine.target.centre, middles[a], middles[b])
         for a, b in combinations(range(machine.space), 2)
@@ -96,7 +94,7 @@ def panels(machine: Machine, progress: Progress) -> list[Panel]:
     turns = list(_turns(machine))
     planes = slices(machine)
     found, done, total = [], 0, len(planes) * (1 + len(turns))
-    for words, choice in ((("upright", [upright]), (_turned_words(machine), turns))):
+    for words, choice in (("upright", [upright]), (_turned_words(machine), turns)):
         for plane in planes if choice else []:
             qualities = []
             for turn in choice:
