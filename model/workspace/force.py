@@ -4,6 +4,8 @@ structure (..., d, n), rows in newtons; forces fill the first `space` entries of
 default), moments divided by the lever the rest. NaN in S gives NaN.
 """
 
+from math import comb
+
 import numpy as np
 import numpy.typing as npt
 
@@ -50,6 +52,35 @@ def served_share(
         return _largest_share(facets.support(lower, upper), reach, rounding(s, upper)) / size
 
     return over_facets(largest_ball, structure)
+
+
+def isotropic_limits(
+    structure: npt.ArrayLike, lower: float, upper: float, space: int | None = None
+) -> Array:
+    """What every facet by itself allows of I_F (..., f) [N], both sides; f = 2 C(n, d-1).
+
+    Negative where the zero wrench is beyond the facet. Piecewise smooth in the pose and the bases,
+    as their smallest is not: for optimisation. A facet that forces do not approach allows what all
+    cables together could pull.
+    """
+    *_, d, n = np.shape(structure)
+    normals = comb(n, d - 1)  # the directions that only a flat set has come after these
+
+    def limits(facets: Facets, _: Array) -> Array:
+        forces = facets.normals[:, :normals, :space]
+        rate = np.sqrt(np.sum(forces**2, axis=-1))
+        sides = [support[:, :normals] for support in facets.supports(lower, upper)]
+        most = np.full(rate.shape, n * upper)
+        near = rate > ROUNDINGS * np.finfo(np.float64).eps
+        return np.concatenate(
+            [
+                np.minimum(np.divide(side, rate, out=most.copy(), where=near), most)
+                for side in sides
+            ],
+            axis=-1,
+        )
+
+    return over_facets(limits, structure)
 
 
 def force_along(

@@ -11,20 +11,18 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import distance_transform_cdt, distance_transform_edt, label, maximum_position
-from scipy.optimize import linprog
 from scipy.optimize.elementwise import find_root
 
 from model.workspace.grid import Grid
 from model.workspace.maps import Measure, evaluate
+from model.workspace.maximin import GAIN, climb
 from model.workspace.rows import Array
 
 RAYS = 180
 STEPS = 40  # along a ray, to find where the margin first becomes negative
 ROUNDS = 4  # of rays ever closer to the points of contact
 CLOSER = 9  # times closer with every round
-MOST_MOVES = 40  # of the centre in a round
 MOST_CONTACTS = 8  # three determine a circle; two sides of a screen may touch all along
-GAIN = 1e-10  # a smaller growth, relative to the shape, is not worth a move
 GRAZING = 0.05  # least sine between a ray and a boundary that it says something about
 
 
@@ -128,7 +126,7 @@ def _refined(
     t, scale = around, np.inf
     for _ in range(ROUNDS):
         last = scale
-        centre, reach = _climb(inside, outline.points(t), centre, half, cell)
+        centre, reach = _climb(inside, outline.points(t), centre, half + 3 * cell, cell)
         half = scale = float(np.min(reach))
         contacts = _contacts(t, reach)
         closer = contacts[:, None] + window * np.linspace(-1, 1, 2 * CLOSER + 1)
@@ -145,22 +143,17 @@ def _contacts(t: Array, reach: Array) -> Array:
 
 
 def _climb(
-    inside: Measure, rays: Array, centre: Array, half: float, cell: float
+    inside: Measure, rays: Array, centre: Array, most: float, cell: float
 ) -> tuple[Array, Array]:
     """The centre with the longest shortest ray near the given one, and its rays' lengths (k)."""
-    trust = cell
-    reach = _reach(inside, centre, rays, half + 2 * trust)
-    for _ in range(MOST_MOVES):
-        shortest = float(np.min(reach))
-        move, promised = _best_move(reach, _slopes(inside, centre, rays, reach, cell), trust)
-        if promised - shortest <= GAIN * shortest:
-            break
-        moved = _reach(inside, centre + move, rays, promised + 2 * trust)
-        if np.min(moved) > shortest:
-            centre, reach = centre + move, moved
-        else:
-            trust /= 4
-    return centre, reach
+
+    def reach(centre: Array) -> Array:
+        return _reach(inside, centre, rays, most)
+
+    def slopes(centre: Array, reach: Array) -> Array:
+        return _slopes(inside, centre, rays, np.where(reach < most, reach, np.nan), cell)
+
+    return climb(reach, slopes, centre, cell)
 
 
 def _reach(inside: Measure, centre: Array, rays: Array, most: float) -> Array:
@@ -191,21 +184,3 @@ def _slopes(inside: Measure, centre: Array, rays: Array, reach: Array, cell: flo
     crossing = (np.abs(across) > GRAZING * size)[:, None]
     unknown = np.full(gradient.shape, np.nan)
     return np.asarray(np.divide(-gradient, across[:, None], out=unknown, where=crossing))
-
-
-def _best_move(reach: Array, slopes: Array, trust: float) -> tuple[Array, float]:
-    """The move, at most `trust` along each axis, that lengthens the shortest ray most; its length.
-
-    To first order: a linear programme.
-    """
-    known = np.isfinite(slopes[:, 0])
-    shortest = float(np.min(reach))
-    found = linprog(
-        [0, 0, -1],
-        A_ub=np.column_stack([-slopes[known], np.ones(np.sum(known))]),
-        b_ub=reach[known],
-        bounds=[(-trust, trust), (-trust, trust), (0, shortest + 2 * trust)],
-    )
-    if found.x is None:
-        return np.zeros(2), shortest
-    return np.asarray(found.x[:2]), float(found.x[2])

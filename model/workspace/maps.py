@@ -1,9 +1,10 @@
-"""A quantity over a grid of poses: as a map, or as its summary when the map would be too large."""
+"""Quantities over a grid of poses: as a map, or as a summary where the map would be too large."""
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from model.workspace.grid import TILE, Grid, Progress
 from model.workspace.rows import Array
@@ -14,8 +15,9 @@ Measure = Callable[[Array], Array]
 class Summary(NamedTuple):
     """A quantity over a grid: `share` of the poses where it is at least what is wanted.
 
-    least and mean are over the poses where it is defined (NaN if there are none), worst is where
-    it is least, or a pose where it is not defined if there is one; `undefined` counts those.
+    least and mean are over the poses where it is defined (NaN if there are none); worst is where
+    it is least, or the first pose where it is not defined, if there is one; `undefined` counts
+    those.
     """
 
     poses: int
@@ -26,19 +28,62 @@ class Summary(NamedTuple):
     worst: tuple[float, ...]
 
 
+class Tally:
+    """Adds up a quantity tile by tile, so that its map need not be held."""
+
+    def __init__(self, wanted: float = 0.0) -> None:
+        """`wanted`: less by the quantity's rounding, where poses lie on the boundary."""
+        self._wanted = wanted
+        self._poses = self._defined = self._covered = 0
+        self._total, self._least = 0.0, np.inf
+        self._worst: Array | None = None
+        self._lost: Array | None = None
+
+    def add(self, poses: Array, values: npt.NDArray[np.floating]) -> None:
+        """Take in poses (rows, dim) and their values (rows), NaN where it is not defined."""
+        known = ~np.isnan(values)
+        self._poses += len(poses)
+        self._defined += int(np.sum(known))
+        self._covered += int(np.sum(values >= self._wanted))
+        self._total += float(np.sum(values[known]))
+        if self._lost is None and not np.all(known):
+            self._lost = poses[np.argmin(known)]
+        least = float(np.min(values[known], initial=np.inf))
+        if least < self._least or (self._worst is None and np.any(known)):
+            self._least, self._worst = least, poses[np.nanargmin(values)]
+
+    @property
+    def summary(self) -> Summary:
+        """All that was taken in. ValueError when that was nothing."""
+        worst = self._worst if self._lost is None else self._lost
+        if worst is None:
+            raise ValueError("there are no poses to summarise")
+        return Summary(
+            poses=self._poses,
+            undefined=self._poses - self._defined,
+            share=self._covered / self._poses,
+            least=self._least if self._defined else np.nan,
+            mean=self._total / self._defined if self._defined else np.nan,
+            worst=tuple(worst.tolist()),
+        )
+
+
 def evaluate(
     measure: Measure, grid: Grid, rows: int = TILE, progress: Progress | None = None
 ) -> Array:
-    """`measure` of every pose, an array (*grid.shape): it gets poses (rows, dim), gives (rows).
+    """`measure` of every pose, an array (*grid.shape, ...): it gives (rows, ...) for (rows, dim).
 
     Memory is that of the result and of one tile.
     """
-    result = np.empty(grid.size)
+    result = np.empty(0)
     start = 0
     for poses in grid.tiles(rows, progress):
-        result[start : start + len(poses)] = measure(poses)
+        values = measure(poses)
+        if start == 0:
+            result = np.empty((grid.size, *values.shape[1:]))
+        result[start : start + len(poses)] = values
         start += len(poses)
-    return result.reshape(grid.shape)
+    return result.reshape(grid.shape + result.shape[1:])
 
 
 def summarise(
@@ -48,32 +93,8 @@ def summarise(
     rows: int = TILE,
     progress: Progress | None = None,
 ) -> Summary:
-    """Summary of `measure` over the grid, in the memory of one tile.
-
-    A pose where it is not defined (NaN) does not have what is wanted. Let `wanted` be less by the
-    rounding of the measure where poses lie on the boundary.
-    """
-    covered = undefined = 0
-    total, least, lost = 0.0, np.inf, False
-    worst = grid.poses(0, 1)[0]
+    """Summary of `measure` over the grid, in the memory of one tile; `wanted` as in `Tally`."""
+    tally = Tally(wanted)
     for poses in grid.tiles(rows, progress):
-        values = measure(poses)
-        known = ~np.isnan(values)
-        covered += int(np.sum(values >= wanted))
-        undefined += int(np.sum(~known))
-        total += float(np.sum(values[known]))
-        if np.any(~known) and not lost:
-            worst, lost = poses[np.argmin(known)], True
-        lowest = np.min(values[known], initial=np.inf)
-        if lowest < least:
-            least = float(lowest)
-            worst = worst if lost else poses[np.nanargmin(values)]
-    defined = grid.size - undefined
-    return Summary(
-        poses=grid.size,
-        undefined=undefined,
-        share=covered / grid.size,
-        least=least if defined else np.nan,
-        mean=total / defined if defined else np.nan,
-        worst=tuple(worst.tolist()),
-    )
+        tally.add(poses, measure(poses))
+    return tally.summary

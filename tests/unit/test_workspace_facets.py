@@ -165,3 +165,15 @@ def test_the_supports_are_what_the_tensions_give() -> None:
     assert np.allclose(pull - push, along.sum(-1), atol=rounding(s, 1.0))
     assert np.allclose(pull + push, np.abs(along).sum(-1), atol=rounding(s, 1.0))
     assert np.all(np.sum(np.abs(along) < 1e-12, axis=-1) == 2)
+
+
+def test_the_theoretical_workspace_of_fixed_pulleys_is_their_polygon() -> None:
+    pulleys = np.array([[0, 0], [2, 0.1], [1.5, 1.2], [0.2, 0.7]])
+    rng = np.random.default_rng(0)
+    corners = rng.dirichlet(np.ones(4), 500) @ pulleys
+    outside = np.mean(pulleys, axis=0) + 4 * (pulleys - np.mean(pulleys, axis=0))
+    edges = 0.7 * pulleys + 0.3 * np.roll(pulleys, -1, axis=0)
+    for poses, inside in ((corners, True), (outside, False), (edges, False)):
+        reach = pulleys - poses[:, None, :]
+        s = np.swapaxes(reach / np.linalg.norm(reach, axis=-1, keepdims=True), -1, -2)
+        assert np.all(wrench_closure(s) == inside)

@@ -10,7 +10,7 @@ from model.workspace.actuators import choose_actuators
 from model.workspace.feasible import ball_margin
 from model.workspace.force import isotropic_force
 from model.workspace.grid import Grid, frame_grid, target_grid
-from model.workspace.maps import evaluate, summarise
+from model.workspace.maps import Tally, evaluate, summarise
 from model.workspace.structures import Demand, structures, target_demand
 
 Doubles = npt.NDArray[np.float64]
@@ -67,6 +67,18 @@ def test_a_map_does_not_depend_on_its_tiles_and_tells_how_far_it_is() -> None:
     tiled = evaluate(forces_of_the_diagonal, grid, 77, lambda *done: heard.append(done))
     assert np.array_equal(whole, tiled) and whole.shape == (30, 20)
     assert heard[0] == (77, 600) and heard[-1] == (600, 600) and len(heard) == 8
+
+
+def test_a_map_may_hold_several_quantities() -> None:
+    grid = target_grid(DIAGONAL, (6, 5))
+    both = evaluate(lambda poses: np.stack([forces_of_the_diagonal(poses)] * 2, -1), grid, rows=7)
+    assert both.shape == (6, 5, 2)
+    assert np.array_equal(both[..., 1], evaluate(forces_of_the_diagonal, grid))
+
+
+def test_nothing_has_no_summary() -> None:
+    with pytest.raises(ValueError, match="no poses to summarise"):
+        _ = Tally().summary
 
 
 def test_the_summary_is_that_of_the_map() -> None:
