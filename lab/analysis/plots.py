@@ -26,7 +26,7 @@ from model.reference.kinematics import base_points
 from model.workspace.rows import Array
 
 DPI = 200
-WIDTH, PANEL_WIDTH, MARGIN = 6.3, 3.4, 1.7  # inches: of one map, of one of many; for bar and legend
+WIDTH, PANEL_WIDTH, MARGIN = 6.3, 3.4, 1.3  # inches: of one map, of one of many; for bar and legend
 TARGET = "#D55E00"
 COLOURS, LIMIT_WIDTH = "cividis", 2.2
 LINES = 6
@@ -125,7 +125,7 @@ def _size(panels: Sequence[AnyPanel], rows: int, columns: int) -> tuple[float, f
     width = WIDTH if columns == 1 else columns * PANEL_WIDTH
     across = (width - 1.3) / columns
     shapes = [np.ptp(panel.plane.y) / max(np.ptp(panel.plane.x), 1e-9) for panel in panels]
-    return width, MARGIN + rows * (across * max(shapes) + 0.5)
+    return width, MARGIN + rows * (across * max(shapes) + 0.4)
 
 
 def _span(quantity: Quantity, panels: Sequence[AnyPanel]) -> tuple[float, float]:
@@ -142,7 +142,8 @@ def _draw_values(axes: Axes, quantity: Quantity, panel: AnyPanel, norm: Normaliz
     """Colours, hatches where it is impossible, lines of equal values, the limit."""
     x, y, values = MM * panel.plane.x, MM * panel.plane.y, quantity.values(panel)
     shown = np.ma.masked_invalid(values)
-    axes.set_facecolor("#E6E6E6")
+    extent = [MM * panel.machine.frame.size[k] for k in panel.plane.axes]
+    axes.add_patch(Rectangle((0, 0), *extent, facecolor="#E6E6E6", zorder=0))
     axes.pcolormesh(x, y, shown, norm=norm, cmap=_colours(quantity), rasterized=True)
     no = quantity.impossible(panel)
     if np.any(no):

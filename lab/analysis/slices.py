@@ -1,4 +1,4 @@
-"""Pose quality over planes through the target's centre, upright and at the worst of its rotations."""
+"""Pose quality over planes through the target's centre, upright and at the worst rotations."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -8,8 +8,8 @@ from itertools import combinations
 import numpy as np
 
 from model.machine import Machine
+from model.workspace.bases import lagging_force
 from model.workspace.grid import target_grid
-from model.workspace.lag import lagging_quality
 from model.workspace.quality import PoseQuality, pose_quality
 from model.workspace.rows import Array
 from model.workspace.summary import wanted_turns
@@ -63,7 +63,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class LagPanel:
-    """I_F (rows, columns) [N] of a slice, upright, with the bases up to `lag` [m] behind."""
+    """I_F (rows, columns) [N] of a slice, upright, with the bases `lag` [m] behind."""
 
     machine: Machine
     plane: Slice
@@ -115,8 +115,9 @@ def lag_panels(machine: Machine, lag: float, progress: Progress) -> list[LagPane
     upright = np.zeros(machine.dof - machine.space)
     for number, plane in enumerate(planes):
         progress("mapping late bases", number / len(planes))
-        late = lagging_quality(machine, plane.poses(upright), lag)
-        found.append(LagPanel(machine, plane, lag, late.force))
+        poses = plane.poses(upright)
+        force = lagging_force(machine, poses.reshape(-1, machine.dof), lag)
+        found.append(LagPanel(machine, plane, lag, force.reshape(poses.shape[:-1])))
     return found
 
 

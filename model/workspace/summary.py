@@ -9,8 +9,8 @@ import numpy as np
 from model.machine import Machine
 from model.reference.control import base_targets
 from model.workspace.actuators import ActuatorChoice, choose_actuators
+from model.workspace.bases import lagging_force
 from model.workspace.grid import Grid, Progress, target_grid
-from model.workspace.lag import lagging_quality
 from model.workspace.quality import PoseQuality, pose_quality, possible_share, wanted_margin
 from model.workspace.rows import Array
 
@@ -48,9 +48,9 @@ class Coverage(NamedTuple):
 
 
 class Lagging(NamedTuple):
-    """The target with bases up to `lag` [m] behind the hand: share served, least and mean I_F [N].
+    """The target with bases `lag` [m] behind the hand, in the worst direction, platform upright.
 
-    The platform is upright.
+    share: where the wanted force, without a moment, is feasible; least and mean I_F [N].
     """
 
     lag: float
@@ -158,12 +158,13 @@ def quality_over(machine: Machine, grid: Grid, progress: Progress | None = None)
 
 
 def summarise_lag(machine: Machine, grid: Grid, lag: float) -> Lagging:
-    """The positions of a grid with bases up to `lag` [m] behind, the platform upright."""
+    """The positions of a grid with bases `lag` [m] behind."""
     positions = Grid(grid.axes[: machine.space]).poses()
     upright = np.zeros((len(positions), machine.dof))
     upright[:, : machine.space] = positions
-    late = lagging_quality(machine, upright, lag)
-    return Lagging(lag, float(np.mean(late.margin >= 0)), _least(late.force), _mean(late.force))
+    force = lagging_force(machine, upright, lag)
+    enough = force >= machine.target.force * (1 - EQUAL)
+    return Lagging(lag, float(np.mean(enough)), _least(force), _mean(force))
 
 
 def _least(values: Array) -> float:
