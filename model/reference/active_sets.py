@@ -1,4 +1,4 @@
-"""Least-norm tensions within bounds by trying every active set: exact, slow and hard to get wrong.
+"""Least-norm tensions in the plane by trying every active set: exact, slow, hard to get wrong.
 
 Each cable is free, at the lower or at the upper bound. With the others at their bounds, the free
 ones take the least-norm solution. The optimum is one of these candidates, because it is the

@@ -17,9 +17,10 @@ RANK_ROUNDINGS = 16  # a pivot below this many roundings of the largest is zero
 
 
 class Factors(NamedTuple):
-    """A = Q R with the columns of A in `order`: q (..., n, k), r (..., k, k), order (..., k).
+    """A = Q R with the columns of A (..., n, k) in `order` (..., k); rank (...).
 
-    rank (...). Columns of q and rows of r from the rank on are zero.
+    q (..., n, p), r (..., p, k), p the lesser of n and k. Columns of q and rows of r from the rank
+    on are zero.
     """
 
     q: Array
@@ -31,13 +32,13 @@ class Factors(NamedTuple):
 def factorise(matrix: Array) -> Factors:
     """Q R of a matrix (..., n, k); the column with the most that is new comes first."""
     left = matrix.copy()
-    count = left.shape[-1]
-    q = np.zeros(left.shape, left.dtype)
-    r = np.zeros((*left.shape[:-2], count, count), left.dtype)
+    count, pivots = left.shape[-1], min(left.shape[-2:])
+    q = np.zeros((*left.shape[:-1], pivots), left.dtype)
+    r = np.zeros((*left.shape[:-2], pivots, count), left.dtype)
     order = np.broadcast_to(np.arange(count), (*left.shape[:-2], count)).copy()
     rank = np.zeros(left.shape[:-2], np.intp)
     limit = _least_pivot(matrix)
-    for k in range(count):
+    for k in range(pivots):
         _largest_first(left, r, order, k)
         column = left[..., k]
         twice = q[..., :k] @ (np.swapaxes(q[..., :k], -1, -2) @ column[..., None])
@@ -61,10 +62,7 @@ def least_squares(rows: Array, values: Array) -> Array:
     if rows.shape[-1] == 2:
         return planar.least_squares(rows, values)
     f = factorise(rows)
-    solution = back_substitution(f.r, np.sum(f.q * values[..., None], axis=-2))
-    placed = np.empty_like(solution)
-    np.put_along_axis(placed, f.order, solution, axis=-1)
-    return _where_full_rank(f, placed)
+    return _where_full_rank(f, _solution(f, values))
 
 
 def least_norm(columns: Array, target: Array) -> Array:
@@ -80,6 +78,15 @@ def least_norm(columns: Array, target: Array) -> Array:
     return _where_full_rank(f, np.sum(f.q * solution[..., None, :], axis=-1))
 
 
+def pseudo_solution(matrix: Array, target: Array) -> Array:
+    """The least x (..., n) of least ||matrix x - target||, matrix (..., d, n) of any rank."""
+    f = factorise(np.swapaxes(matrix, -1, -2))
+    # matrix = P R' Q' with the rows in the order P: first the least squares, then x along Q
+    wanted = np.take_along_axis(target, f.order, axis=-1)
+    along = _solution(factorise(np.swapaxes(f.r, -1, -2)), wanted)
+    return np.asarray(np.sum(f.q * along[..., None, :], axis=-1))
+
+
 def kernel(matrix: Array) -> Array:
     """Orthonormal columns (..., n, n - d) that a matrix (..., d, n) of full rank sends to zero.
 
@@ -90,6 +97,18 @@ def kernel(matrix: Array) -> Array:
     rest = np.eye(n, dtype=matrix.dtype) - f.q @ np.swapaxes(f.q, -1, -2)
     null = factorise(rest).q[..., : n - d]
     return np.where((f.rank == d)[..., None, None], null, np.asarray(np.nan, matrix.dtype))
+
+
+def complete_basis(columns: Array) -> Array:
+    """Orthonormal basis (..., d, d) whose first columns span those given (..., d, n), n >= d."""
+    f = factorise(columns)
+    rest = np.eye(f.q.shape[-1], dtype=columns.dtype) - f.q @ np.swapaxes(f.q, -1, -2)
+    others = factorise(rest)
+    # what the others lack is what the first have: fill the zero columns with them, in order
+    missing = np.arange(f.q.shape[-1]) - f.rank[..., None]
+    index = np.broadcast_to(np.maximum(missing, 0)[..., None, :], f.q.shape)
+    filled = np.take_along_axis(others.q, index, axis=-1)
+    return np.where((missing >= 0)[..., None, :], filled, f.q)
 
 
 def back_substitution(upper: Array, values: Array) -> Array:
@@ -104,6 +123,16 @@ def back_substitution(upper: Array, values: Array) -> Array:
 def forward_substitution(lower: Array, values: Array) -> Array:
     """x (..., k) with lower x = values; zero where a pivot is zero."""
     return back_substitution(lower[..., ::-1, ::-1], values[..., ::-1])[..., ::-1]
+
+
+def _solution(factors: Factors, values: Array) -> Array:
+    """Least squares with the leading columns; zero for those beyond the rank."""
+    pivots = factors.r.shape[-2]
+    leading = factors.r[..., :pivots]
+    solution = back_substitution(leading, np.sum(factors.q * values[..., None], axis=-2))
+    placed = np.zeros((*solution.shape[:-1], factors.order.shape[-1]), solution.dtype)
+    np.put_along_axis(placed, factors.order[..., :pivots], solution, axis=-1)
+    return placed
 
 
 def _quotient(value: Array, pivot: Array) -> Array:

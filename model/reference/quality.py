@@ -1,18 +1,19 @@
 """How good a pose is: zero-wrench tension, tension factor and isotropic force (Yoon section III).
 
-pose (..., 2) [m], rails (..., m) [m]. Outside the zero-wrench feasible workspace the paper does
-not define the tensions, so they and what follows from them are NaN; the true isotropic force is 0.
+pose (..., d) [m, rad], rails (..., m) [m]. Outside the zero-wrench feasible workspace the paper
+does not define the tensions, so they and what follows from them are NaN; the true isotropic force
+is 0.
 """
 
 import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.arrays import Array
+from model.reference.arrays import Array, in_chunks, norm
 from model.reference.kinematics import structure_matrix
 from model.reference.planar import cross
-from model.reference.tension import minimum_norm_tension, wrench_feasible
-from model.reference.wrench_set import slabs
+from model.reference.tension import distribute_tension
+from model.reference.wrench_set import rows_at_once, slabs
 
 
 def zero_wrench_tension(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
@@ -29,19 +30,33 @@ def tension_factor(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) 
 def isotropic_force(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
     """I_F (...) [N]: the largest force that bounded tensions can give in every direction.
 
-    The radius of the largest disc about the origin in the set of wrenches: the least distance of
-    its facets. 0 outside the zero-wrench feasible workspace.
+    The radius of the largest ball about the origin in the set of wrenches, for rigid platforms in
+    the part of it that has no moment: the least distance of its facets. 0 outside the zero-wrench
+    feasible workspace.
     """
-    _, middle, half_width = slabs(machine, structure_matrix(machine, pose, rails))
-    return np.asarray(np.maximum(np.min(half_width - np.abs(middle), axis=-1), 0))
+
+    def radius(structure: Array) -> tuple[Array]:
+        normals, middle, half_width = slabs(machine, structure)
+        room = half_width - np.abs(middle)
+        across = norm(normals[..., : machine.space])
+        # a facet that no force comes nearer to says only whether zero is on its inner side
+        reach = np.where(room >= 0, np.inf, np.where(np.isnan(room), room, 0)).astype(room.dtype)
+        return (np.min(np.divide(room, across, out=reach, where=across > 0), axis=-1),)
+
+    structure = structure_matrix(machine, pose, rails)
+    (force,) = in_chunks(radius, (structure, 2), rows_per_chunk=rows_at_once(structure))
+    return np.asarray(np.maximum(force, 0))
 
 
 def isotropic_force_eq17(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
     """I_F (...) [N] as in Yoon eq. 17, for any number of cables: a lower bound of the true one.
 
     Each pair of cables adjacent counter-clockwise spans a parallelogram with its tension gains
-    t_i = T_max - T0_i; the result is the smallest radius that fits them all.
+    t_i = T_max - T0_i; the result is the smallest radius that fits them all. ValueError for kinds
+    other than planar-point, whose cables have no such order.
     """
+    if machine.kind != "planar-point":
+        raise ValueError(f"Yoon eq. 17 is for planar-point; {machine.name} is {machine.kind}")
     structure = structure_matrix(machine, pose, rails)
     gain = machine.tension.max - _zero_wrench_tension(machine, structure)
     order = np.argsort(np.arctan2(structure[..., 1, :], structure[..., 0, :]), axis=-1)
@@ -56,8 +71,6 @@ def isotropic_force_eq17(machine: Machine, pose: npt.ArrayLike, rails: npt.Array
 
 
 def _zero_wrench_tension(machine: Machine, structure: Array) -> Array:
-    nothing = np.zeros((*structure.shape[:-2], 2), structure.dtype)
-    bounds = machine.tension
-    tension = minimum_norm_tension(structure, nothing, bounds.min, bounds.max).tension
-    feasible = wrench_feasible(machine, structure, nothing)
+    nothing = np.zeros((*structure.shape[:-2], machine.dof), structure.dtype)
+    tension, _, feasible = distribute_tension(machine, structure, nothing, "closest")
     return np.where(feasible[..., None], tension, np.asarray(np.nan, tension.dtype))

@@ -1,10 +1,11 @@
 """Tension distribution: min ||T|| subject to S T = W, T_min <= T <= T_max (Yoon eq. 12), exactly.
 
-structure (..., 2, n), wrench (..., 2) [N], tension (..., n) [N].
+structure (..., d, n), wrench (..., d) [N, N m], tension (..., n) [N].
 
 Feasibility and the policies for infeasible wrenches are decided on the set of wrenches that can
-be given (wrench_set); the tensions come from trying every set of cables that can be at a bound
-(active_sets).
+be given (wrench_set), where distances are those of [F; M / lever]. The tensions come from trying
+every set of cables that can be at a bound (active_sets), in space and with many cables from a
+search for it (bounded).
 """
 
 from typing import Any, NamedTuple
@@ -13,16 +14,19 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.active_sets import least_norm
+from model.reference import active_sets, bounded
 from model.reference.arrays import Array, as_floating, in_chunks
-from model.reference.wrench_set import closest_wrench, contains, largest_share
+from model.reference.kinematics import moment_lever
+from model.reference.wrench_set import closest_wrench, contains, largest_share, rows_at_once
+
+MOST_TRIED = 6  # cables of which every active set is tried, 3^n of them
 
 POLICIES = ("scale", "closest", "paper")
 Verdict = npt.NDArray[np.bool_]
 
 
 class Distribution(NamedTuple):
-    """tension (..., n) [N]; delivered (..., 2) [N] = S tension; feasible (...): verdict on W."""
+    """tension (..., n) [N]; delivered (..., d) [N, N m] = S T; feasible (...): verdict on W."""
 
     tension: Array
     delivered: Array
@@ -42,7 +46,12 @@ def wrench_feasible(machine: Machine, structure: npt.ArrayLike, wrench: npt.Arra
     A wrench on the boundary is feasible. False where anything is NaN.
     """
     structure, wrench = as_floating(structure, wrench)
-    (feasible,) = in_chunks(lambda s, w: (contains(machine, s, w),), (structure, 2), (wrench, 1))
+    (feasible,) = in_chunks(
+        lambda s, w: (contains(machine, s, w),),
+        (structure, 2),
+        (wrench, 1),
+        rows_per_chunk=rows_at_once(structure),
+    )
     return feasible.astype(np.bool_)
 
 
@@ -56,7 +65,7 @@ def distribute_tension(
 
     scale    the largest s <= 1 with s W feasible, 0 <= s. Where there is none (the zero
              wrench is infeasible and [0, W] misses the set): as closest.
-    closest  the feasible wrench nearest to W in the Euclidean norm.
+    closest  the feasible wrench nearest to W in the Euclidean norm of [F; M / lever].
     paper    Yoon eq. 22, T >= T_min only, then eq. 23, clipped to T_max. Where eq. 22 has no
              solution: T_min in every cable. The clip can change the wrench even where a bounded
              solution exists, so compare `delivered` with W; `feasible` judges W itself (eq. 11).
@@ -73,7 +82,9 @@ def distribute_tension(
         tension = _TENSIONS[policy](machine, s, w, feasible)
         return tension, np.sum(s * tension[:, None, :], axis=-1), feasible
 
-    tension, delivered, feasible = in_chunks(distribute, (structure, 2), (wrench, 1))
+    at_once = rows_at_once(structure)
+    inputs = (structure, 2), (wrench, 1)
+    tension, delivered, feasible = in_chunks(distribute, *inputs, rows_per_chunk=at_once)
     return Distribution(tension, delivered, feasible.astype(np.bool_))
 
 
@@ -82,11 +93,13 @@ def minimum_norm_tension(
 ) -> MinimumNorm:
     """The tensions of least norm in [lower, upper] that give the wrench; `upper` may be infinite.
 
-    Where none do, those of the least error among the sets tried, and `solved` is False.
+    Where none do, `solved` is False, and the tensions are of small error: the least in space.
+    Errors and rounding are judged by the entries as they are, so moments should be given in units
+    of a length that makes them comparable with forces.
     """
     structure, wrench = as_floating(structure, wrench)
     tension, solved = in_chunks(
-        lambda s, w: least_norm(s, w, lower, upper), (structure, 2), (wrench, 1)
+        lambda s, w: _least_norm(s, w, lower, upper), (structure, 2), (wrench, 1)
     )
     return MinimumNorm(tension, solved.astype(np.bool_))
 
@@ -109,7 +122,7 @@ def _closest_tension(machine: Machine, s: Array, w: Array, feasible: Verdict) ->
 
 def _paper_tension(machine: Machine, s: Array, w: Array, feasible: Verdict) -> Array:
     lower, upper = machine.tension.min, machine.tension.max
-    tension, solved = least_norm(s, w, lower, np.inf)
+    tension, solved = _least_norm(*_as_forces(machine, s, w), lower, np.inf)
     unsolved = np.where(np.isnan(tension), tension, np.asarray(lower, tension.dtype))
     return np.minimum(np.where(solved[:, None], tension, unsolved), upper)
 
@@ -119,4 +132,19 @@ _TENSIONS = {"scale": _scaled_tension, "closest": _closest_tension, "paper": _pa
 
 def _bounded(machine: Machine, structure: Array, wrench: Array) -> Array:
     bounds = machine.tension
-    return least_norm(structure, wrench, bounds.min, bounds.max)[0]
+    return _least_norm(*_as_forces(machine, structure, wrench), bounds.min, bounds.max)[0]
+
+
+def _as_forces(machine: Machine, structure: Array, wrench: Array) -> tuple[Array, Array]:
+    """Both with moments over the lever."""
+    lever = moment_lever(machine, structure.dtype)
+    return structure / lever[:, None], wrench / lever
+
+
+def _least_norm(
+    structure: Array, wrench: Array, lower: float, upper: float
+) -> tuple[Array, Verdict]:
+    d, cables = structure.shape[-2:]
+    if d == 2 and cables <= MOST_TRIED:
+        return active_sets.least_norm(structure, wrench, lower, upper)
+    return bounded.least_norm(structure, wrench, lower, upper)

@@ -1,41 +1,62 @@
 """The set of wrenches that bounded tensions can give: a zonotope, in the plane a polygon.
 
-Its edges are parallel to the cables. structure (rows, 2, n), wrench (rows, 2) [N].
+Its edges are parallel to the cables. structure (rows, d, n), wrench (rows, d) [N, N m]. Distances
+between wrenches are those of [F; M / lever] [N], with the platform's lever; for points there are
+forces only.
 """
+
+from itertools import combinations
+from math import comb
 
 import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.active_sets import ROUNDINGS
-from model.reference.arrays import Array, norm
+from model.reference.arrays import ROWS_PER_CHUNK, Array, norm
+from model.reference.bounded import ROUNDINGS, closest_tension
+from model.reference.kinematics import moment_lever
+from model.reference.linear import complete_basis, factorise
 from model.reference.planar import inner_products, minors
+
+MOST_SIDES = 2**20  # in one chunk, each 16 bytes in long double
 
 
 def slabs(machine: Machine, structure: Array) -> tuple[Array, Array, Array]:
-    """The set of wrenches as slabs: unit normals p (..., 2n, 2), middles and half widths [N].
+    """The set of wrenches as slabs: normals p (..., k, d), middles and half widths (..., k) [N].
 
-    W is feasible exactly when |p . W - middle| <= half width for every p. The polygon's facets are
-    normal to a cable; a polygon that has shrunk to a segment, all cables parallel, also needs the
-    directions of the cables.
+    W is feasible exactly when |p . W - middle| <= half width for every p. Forces and moments over
+    the lever make p a unit vector: (p_F, lever p_M). The set's facets are normal to d - 1 cables;
+    a set that has shrunk, because the cables do not span, also needs directions that fewer cables
+    and what they all leave open determine. Such a row in the batch adds them to all rows.
     """
+    lever = moment_lever(machine, structure.dtype)
+    cables = np.swapaxes(structure, -1, -2) / lever
+    normals, sides = _planar_normals(cables) if machine.dof == 2 else _normals(cables)
     lower, upper = np.asarray([machine.tension.min, machine.tension.max], structure.dtype)
     middle, reach = (upper + lower) / 2, (upper - lower) / 2
-    cables = np.swapaxes(structure, -1, -2)
-    length = norm(cables)[..., None]
-    # sides[j, i] = p . s_i, first for p normal to cable j, then for p along it
-    sides = np.concatenate([minors(cables) / length, inner_products(cables) / length], axis=-2)
-    turned = np.stack([-cables[..., 1], cables[..., 0]], axis=-1)
-    normals = np.concatenate([turned / length, cables / length], axis=-2)
-    return normals, middle * np.sum(sides, axis=-1), reach * np.sum(np.abs(sides), axis=-1)
+    half_width = reach * np.sum(np.abs(sides), axis=-1)
+    return normals / lever, middle * np.sum(sides, axis=-1), half_width
 
 
 def contains(machine: Machine, structure: Array, wrench: Array) -> npt.NDArray[np.bool_]:
     """Whether the wrench is in the set or on its boundary; False where anything is NaN."""
+    return np.asarray(margin(machine, structure, wrench) >= -_rounding(machine, structure, wrench))
+
+
+def margin(machine: Machine, structure: Array, wrench: Array) -> Array:
+    """Distance (rows) [N] of the wrench from the nearest facet's plane; negative outside the set.
+
+    NaN where anything is NaN.
+    """
     normals, middle, half_width = slabs(machine, structure)
     along = np.sum(normals * wrench[..., None, :], axis=-1)
-    slack = _rounding(machine, structure, wrench)[..., None]
-    return np.asarray(np.all(np.abs(along - middle) <= half_width + slack, axis=-1))
+    return np.asarray(np.min(half_width - np.abs(along - middle), axis=-1))
+
+
+def rows_at_once(structure: Array) -> int:
+    """How many rows to take at a time, so that the slabs of all fit into a few dozen MB."""
+    d, n = structure.shape[-2:]
+    return int(max(1, min(ROWS_PER_CHUNK, MOST_SIDES // (n * comb(n, d - 1)))))
 
 
 def largest_share(machine: Machine, structure: Array, wrench: Array) -> Array:
@@ -50,7 +71,7 @@ def largest_share(machine: Machine, structure: Array, wrench: Array) -> Array:
     slack = _rounding(machine, structure, wrench)[..., None]
     with np.errstate(divide="ignore", invalid="ignore"):
         limit = support / rate
-        share_slack = slack[..., 0] / norm(wrench)
+        share_slack = slack[..., 0] / _size(machine, wrench)
     largest = np.min(np.where(rate > slack, limit, 1), axis=-1)
     smallest = np.max(np.where(rate < -slack, limit, 0), axis=-1)
     beside = np.any((np.abs(rate) <= slack) & (support < -slack), axis=-1)
@@ -59,7 +80,82 @@ def largest_share(machine: Machine, structure: Array, wrench: Array) -> Array:
 
 
 def closest_wrench(machine: Machine, structure: Array, wrench: Array) -> Array:
-    """The point of the boundary nearest to the wrench: the nearest of its projections on edges."""
+    """The point of the set nearest to a wrench that is outside (rows, d)."""
+    if machine.dof == 2:
+        return _closest_on_edges(machine, structure, wrench)
+    lever = moment_lever(machine, structure.dtype)
+    bounds = machine.tension
+    tension = closest_tension(structure / lever[:, None], wrench / lever, bounds.min, bounds.max)
+    return np.asarray(np.sum(structure * tension[..., None, :], axis=-1))
+
+
+def _planar_normals(cables: Array) -> tuple[Array, Array]:
+    """Unit normals p (..., 2n, 2) and sides p . s_i (..., 2n, n): p normal to cable j, then along.
+
+    Minors are exactly antisymmetric, so the side of a cable to its own normal is exactly zero.
+    """
+    length = norm(cables)[..., None]
+    sides = np.concatenate([minors(cables) / length, inner_products(cables) / length], axis=-2)
+    turned = np.stack([-cables[..., 1], cables[..., 0]], axis=-1)
+    return np.concatenate([turned / length, cables / length], axis=-2), sides
+
+
+def _normals(cables: Array) -> tuple[Array, Array]:
+    """The same for d > 2, with p normal to d - 1 cables; see slabs."""
+    d = cables.shape[-1]
+    normals = _normals_to_cables(cables, d - 1, cables[..., :0, :])
+    flat = factorise(np.swapaxes(cables, -1, -2)).rank < d
+    if np.any(flat & np.all(np.isfinite(cables), axis=(-2, -1))):
+        basis = np.swapaxes(complete_basis(np.swapaxes(cables, -1, -2)), -1, -2)
+        fewer = [_normals_to_cables(cables, k, basis[..., k + 1 :, :]) for k in range(d - 1)]
+        normals = np.concatenate([normals, *fewer, basis], axis=-2)
+    return normals, np.asarray(normals @ np.swapaxes(cables, -1, -2))
+
+
+def _normals_to_cables(cables: Array, count: int, others: Array) -> Array:
+    """Unit vectors (..., k, d) normal to `others` and to every choice of so many cables.
+
+    Where these are not independent: any unit vector.
+    """
+    chosen = np.array(list(combinations(range(cables.shape[-2]), count)), np.intp)
+    groups = cables[..., chosen, :]
+    beside = np.broadcast_to(others[..., None, :, :], (*groups.shape[:-2], *others.shape[-2:]))
+    normals = cofactors(np.concatenate([groups, beside], axis=-2))
+    size = norm(normals)[..., None]
+    first = np.zeros_like(normals)
+    first[..., 0] = 1
+    return np.divide(normals, size, out=first, where=size > 0)
+
+
+def cofactors(vectors: Array) -> Array:
+    """The vector (..., d) whose inner product with any w is det[w, v_1, ..., v_(d-1)].
+
+    vectors (..., d-1, d). All minors of the leading vectors, one vector more at a time (Laplace).
+    """
+    d = vectors.shape[-1]
+    minor: dict[tuple[int, ...], Array] = {(): np.ones(vectors.shape[:-2], vectors.dtype)}
+    for k in range(d - 1):
+        minor = {
+            rows: _minor(vectors[..., k, :], rows, minor) for rows in combinations(range(d), k + 1)
+        }
+    all_rows = tuple(range(d))
+    entries = [(-1) ** row * minor[_without(all_rows, row)] for row in all_rows]
+    return np.stack(entries, axis=-1)
+
+
+def _minor(vector: Array, rows: tuple[int, ...], smaller: dict[tuple[int, ...], Array]) -> Array:
+    """Of these rows, from the minors that lack the last vector."""
+    signs = [(-1) ** (len(rows) - 1 - place) for place in range(len(rows))]
+    terms = [vector[..., row] * smaller[_without(rows, row)] for row in rows]
+    return np.asarray(sum(sign * term for sign, term in zip(signs, terms, strict=True)))
+
+
+def _without(rows: tuple[int, ...], row: int) -> tuple[int, ...]:
+    return tuple(other for other in rows if other != row)
+
+
+def _closest_on_edges(machine: Machine, structure: Array, wrench: Array) -> Array:
+    """The nearest of the projections on the edges of a polygon."""
     begin, end = _edges(machine, structure)
     edge = end - begin
     reach = wrench[:, None, :] - begin
@@ -94,7 +190,11 @@ def _edges(machine: Machine, structure: Array) -> tuple[Array, Array]:
     return begin, end
 
 
+def _size(machine: Machine, wrench: Array) -> Array:
+    return norm(wrench / moment_lever(machine, wrench.dtype))
+
+
 def _rounding(machine: Machine, structure: Array, wrench: Array) -> Array:
     """What rounding can add to a sum of wrenches [N]."""
-    most = structure.shape[-1] * machine.tension.max + norm(wrench)
+    most = structure.shape[-1] * machine.tension.max + _size(machine, wrench)
     return np.asarray(ROUNDINGS * np.finfo(wrench.dtype).eps * most)
