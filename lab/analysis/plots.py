@@ -15,7 +15,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon, Rectangle
-from matplotlib.patheffects import withStroke
+from matplotlib.patheffects import AbstractPathEffect, withStroke
 from matplotlib.ticker import MaxNLocator
 
 from lab.analysis.slices import AXES, LagPanel, Panel, Slice
@@ -30,8 +30,10 @@ WIDTH, PANEL_WIDTH, MARGIN = 6.3, 3.4, 1.3  # inches: of one map, of one of many
 TARGET = "#D55E00"
 COLOURS, LIMIT_WIDTH = "cividis", 2.2
 LINES = 6
-OUTLINE = [withStroke(linewidth=3.4, foreground="white")]
-DARK_OUTLINE = [withStroke(linewidth=LIMIT_WIDTH + 1.6, foreground="black")]
+OUTLINE: list[AbstractPathEffect] = [withStroke(linewidth=3.4, foreground="white")]
+DARK_OUTLINE: list[AbstractPathEffect] = [
+    withStroke(linewidth=LIMIT_WIDTH + 1.6, foreground="black")
+]
 PRINT: dict[Any, Any] = STYLE | {
     "font.size": 9,
     "axes.titlesize": 9.5,

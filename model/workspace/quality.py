@@ -68,13 +68,6 @@ def wanted_margin(
     return _margin(*_situation(machine, poses, rails), target_demand(machine))
 
 
-def isotropic_forces(
-    machine: Machine, poses: npt.ArrayLike, rails: npt.ArrayLike | None = None
-) -> Array:
-    """I_F (...) [N], NaN where the platform touches a pulley."""
-    return isotropic_force(*_situation(machine, poses, rails), machine.space)
-
-
 def possible_share(machine: Machine, poses: npt.ArrayLike) -> Array:
     """The share (...) of all wanted forces and moments that is feasible at once; may exceed 1."""
     return served_share(*_situation(machine, poses, None), *target_demand(machine))

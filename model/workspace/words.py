@@ -4,7 +4,10 @@ import math
 from collections.abc import Sequence
 
 from model.machine import Machine
+from model.workspace.actuators import ActuatorChoice
 from model.workspace.summary import Coverage
+
+ROUNDING = 1e-9  # a tension that misses its bound by less meets it
 
 
 def percent(share: float) -> str:
@@ -46,3 +49,18 @@ def coverage_in_words(machine: Machine, coverage: Coverage) -> str:
     possible = demand_in_words(machine, coverage.possible) if coverage.possible else "nothing"
     text += f"; at the worst, {pose_in_words(machine, coverage.worst)}, {possible} is possible"
     return f"{text}; {coverage.undefined} poses are on a pulley" if coverage.undefined else text
+
+
+def motors_in_words(machine: Machine, choice: ActuatorChoice) -> str:
+    """Which motors the target needs, and whether the machine's are enough."""
+    place = pose_in_words(machine, choice.worst_pose)
+    if not math.isfinite(choice.tension):
+        return f"no motor is strong enough at {place}: no tension gives what is wanted there"
+    verdict = "are enough" if choice.sufficient else "are not enough"
+    text = (
+        f"it takes a tension of {choice.tension:.4g} N, {choice.torque * 1e3:.4g} mN m of torque,"
+        f" at {place}; the motors' {choice.torque_limit * 1e3:.4g} mN m {verdict}"
+    )
+    if choice.tension > choice.tension_limit * (1 + ROUNDING):
+        text += f", and tension.max = {choice.tension_limit:.4g} N is too low"
+    return text
