@@ -32,7 +32,7 @@ class Figure:
     unit: str = ""
     scale: float = 1.0
     absent: str = "not defined"
-    endless: str = "no tension is enough"
+    endless: str = "none is enough"
 
     def shown(self, findings: Findings) -> str:
         """The number with its unit, as a reader wants it."""
@@ -63,33 +63,32 @@ class Figure:
 def figures(machine: Machine) -> list[Figure]:
     """The numbers of a machine, in the order of the report; always the same keys."""
     wanted = demand_in_words(machine)
-    space = "not sought in space" if machine.space == 3 else "there is none"
+    shape = "not sought in space" if machine.space == 3 else "none"
+    late = "no base moves"
     return [
-        Figure("target_share", f"target with {wanted} in every direction", _share, "%"),
-        Figure("target_share_zero_wrench", "target held without a force", _zero, "%"),
-        Figure("target_share_theoretical", "target in the theoretical workspace", _closure, "%"),
-        Figure("frame_share_theoretical", "frame in the theoretical workspace", _theory, "%"),
-        Figure("least_isotropic_force", "least isotropic force in the target", _least, "N"),
-        Figure("mean_isotropic_force", "mean isotropic force in the target", _mean, "N"),
-        Figure("least_tension_factor", "least tension factor in the target", _factor,
-               absent=_no_factor(machine)),
-        Figure("tension_needed", "largest tension needed", _tension, "N"),
+        Figure("target_share", f"target with {wanted}", _share, "%"),
+        Figure("target_share_zero_wrench", "target held at rest", _zero, "%"),
+        Figure("target_share_theoretical", "target in theoretical workspace", _closure, "%"),
+        Figure("frame_share_theoretical", "frame in theoretical workspace", _theory, "%"),
+        Figure("least_isotropic_force", "least isotropic force", _least, "N"),
+        Figure("mean_isotropic_force", "mean isotropic force", _mean, "N"),
+        Figure("least_tension_factor", "least tension factor", _factor, absent=_no_factor(machine)),
+        Figure("tension_needed", "tension needed", _tension, "N"),
         Figure("torque_needed", "motor torque needed", _torque, "mN m", 1e3),
-        Figure("torque_limit", "motor torque there is", _limit, "mN m", 1e3),
-        Figure("circle_diameter", f"largest circle with {wanted}", _circle, "mm wide", 1e3, space),
-        Figure("screen_width", f"largest screen with {wanted}", _width, "mm wide", 1e3, space),
-        Figure("screen_height", "its height", _height, "mm", 1e3, space),
-        Figure("target_share_lag", "target with the wanted force, bases late", _late_share, "%",
-               absent="no base moves"),
-        Figure("least_isotropic_force_lag", "least isotropic force, bases late", _late_least, "N",
-               absent="no base moves"),
+        Figure("torque_limit", "motor torque limit", _limit, "mN m", 1e3),
+        Figure("circle_diameter", f"largest circle with {wanted}", _circle, "mm", 1e3, shape),
+        Figure("screen_width", f"largest screen with {wanted}", _width, "mm", 1e3, shape),
+        Figure("screen_height", "its height", _height, "mm", 1e3, shape),
+        Figure("target_share_lag", "target with the force, late", _late_share, "%", absent=late),
+        Figure("least_isotropic_force_lag", "least isotropic force, late", _late_least, "N",
+               absent=late),
     ]  # fmt: skip
 
 
 def _no_factor(machine: Machine) -> str:
     if machine.tension.min == 0:
-        return "not defined: T_min = 0 holds the platform without any tension"
-    return "not defined: no pose of the target is held"
+        return "not defined: T_min = 0"
+    return "not defined: nothing held"
 
 
 def _share(f: Findings) -> float:

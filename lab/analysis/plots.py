@@ -30,10 +30,9 @@ WIDTH, PANEL_WIDTH, MARGIN = 6.3, 3.4, 1.3  # inches: of one map, of one of many
 TARGET = "#D55E00"
 COLOURS, LIMIT_WIDTH = "cividis", 2.2
 LINES = 6
-OUTLINE: list[AbstractPathEffect] = [withStroke(linewidth=3.4, foreground="white")]
-DARK_OUTLINE: list[AbstractPathEffect] = [
-    withStroke(linewidth=LIMIT_WIDTH + 1.6, foreground="black")
-]
+Strokes = list[AbstractPathEffect]
+OUTLINE: Strokes = [withStroke(linewidth=3.4, foreground="white")]
+DARK_OUTLINE: Strokes = [withStroke(linewidth=LIMIT_WIDTH + 1.6, foreground="black")]
 PRINT: dict[Any, Any] = STYLE | {
     "font.size": 9,
     "axes.titlesize": 9.5,
@@ -43,6 +42,7 @@ PRINT: dict[Any, Any] = STYLE | {
     "legend.fontsize": 8.5,
 }
 AnyPanel = Panel | LagPanel
+Span = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -99,12 +99,12 @@ def draw(
     """The map of a quantity as PNG, one axes a panel, with marks and outlines in each."""
     columns = min(len(panels), 3)
     rows = -(-len(panels) // columns)
-    norm = Normalize(*_span(quantity, panels))
+    span = _span(quantity, panels)
     with rc_context(PRINT):
         figure = Figure(figsize=_size(panels, rows, columns), dpi=DPI, layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False)
         for axes, panel in zip(grid.flat, panels, strict=False):
-            _draw_values(axes, quantity, panel, norm)
+            _draw_values(axes, quantity, panel, span)
             _draw_machine(axes, panel.machine, panel.plane)
             for line in outlines:
                 axes.plot(*(MM * line.points.T), path_effects=OUTLINE, **_look(line))
@@ -113,7 +113,7 @@ def draw(
             axes.set_title(panel.title)
         for axes in grid.flat[len(panels) :]:
             axes.set_visible(False)
-        _draw_bar(figure, grid, quantity, norm)
+        _draw_bar(figure, grid, quantity, span)
         figure.suptitle(quantity.title, x=0.01, ha="left", fontsize=11.5, fontweight="bold")
         handles = list(_legend(quantity, panels, marks, outlines))
         figure.legend(handles=handles, loc="outside lower center", ncols=min(3, columns + 1))
@@ -130,7 +130,7 @@ def _size(panels: Sequence[AnyPanel], rows: int, columns: int) -> tuple[float, f
     return width, MARGIN + rows * (across * max(shapes) + 0.4)
 
 
-def _span(quantity: Quantity, panels: Sequence[AnyPanel]) -> tuple[float, float]:
+def _span(quantity: Quantity, panels: Sequence[AnyPanel]) -> Span:
     """Of all finite values of all panels, and the limit."""
     parts = [quantity.values(panel).ravel() for panel in panels]
     values = np.concatenate([*parts, [quantity.limit or 0.0]])
@@ -140,23 +140,23 @@ def _span(quantity: Quantity, panels: Sequence[AnyPanel]) -> tuple[float, float]
     return (low, high) if high - low > 1e-9 * max(abs(low), abs(high)) else (low, low + 1.0)
 
 
-def _draw_values(axes: Axes, quantity: Quantity, panel: AnyPanel, norm: Normalize) -> None:
+def _draw_values(axes: Axes, quantity: Quantity, panel: AnyPanel, span: Span) -> None:
     """Colours, hatches where it is impossible, lines of equal values, the limit."""
     x, y, values = MM * panel.plane.x, MM * panel.plane.y, quantity.values(panel)
     shown = np.ma.masked_invalid(values)
     extent = [MM * panel.machine.frame.size[k] for k in panel.plane.axes]
     axes.add_patch(Rectangle((0, 0), *extent, facecolor="#E6E6E6", zorder=0))
-    axes.pcolormesh(x, y, shown, norm=norm, cmap=_colours(quantity), rasterized=True)
+    axes.pcolormesh(x, y, shown, norm=Normalize(*span), cmap=_colours(quantity), rasterized=True)
     no = quantity.impossible(panel)
     if np.any(no):
         axes.contourf(x, y, no, levels=[0.5, 1.5], colors="none", hatches=["////"])
-    if shown.count() and np.ptp(shown.compressed()) > 1e-6 * (norm.vmax - norm.vmin):
-        _draw_lines(axes, quantity, (x, y, shown), norm)
+    if shown.count() and np.ptp(shown.compressed()) > 1e-6 * (span[1] - span[0]):
+        _draw_lines(axes, quantity, (x, y, shown), span)
 
 
-def _draw_lines(axes: Axes, quantity: Quantity, field: Any, norm: Normalize) -> None:
+def _draw_lines(axes: Axes, quantity: Quantity, field: Any, span: Span) -> None:
     """Lines of equal values with their numbers, and a broad one at the limit."""
-    levels = MaxNLocator(LINES).tick_values(norm.vmin, norm.vmax)
+    levels = MaxNLocator(LINES).tick_values(*span)
     levels = [level for level in levels if level != quantity.limit]
     lines = axes.contour(*field, levels=levels, colors="black", linewidths=0.6)
     for text in axes.clabel(lines, fontsize=7, fmt="%g"):
@@ -231,10 +231,13 @@ MARKER: dict[str, Any] = {
 }  # fmt: skip
 
 
-def _draw_bar(figure: Figure, grid: Any, quantity: Quantity, norm: Normalize) -> None:
+def _draw_bar(figure: Figure, grid: Any, quantity: Quantity, span: Span) -> None:
     beyond = "max" if quantity.low_is_good else "neither"
     bar = figure.colorbar(
-        ScalarMappable(norm, _colours(quantity)), ax=grid, label=quantity.label, extend=beyond
+        ScalarMappable(Normalize(*span), _colours(quantity)),
+        ax=grid,
+        label=quantity.label,
+        extend=beyond,
     )
     if quantity.limit is not None:
         line = bar.ax.axhline(quantity.limit, color="white", lw=LIMIT_WIDTH)

@@ -1,5 +1,6 @@
 """How far a machine's workspace reaches, whatever its target is."""
 
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -51,12 +52,11 @@ def workspace_extent(machine: Machine) -> Extent:
 
 def least_margin(machine: Machine, positions: Array) -> Array:
     """The least margin (rows) [N] of what is wanted over all rotations, positions (rows, space)."""
-    turns = [angles.tolist() for angles in fine_grid(machine).axes[machine.space :]]
-    least = np.full(len(positions), np.inf)
-    for turn in np.stack(np.meshgrid(*turns), axis=-1).reshape(-1, len(turns)) if turns else [[]]:
-        poses = np.concatenate([positions, np.broadcast_to(turn, (len(positions), len(turn)))], -1)
-        least = np.minimum(least, wanted_margin(machine, poses))
-    return least
+    turns = np.array(list(product(*fine_grid(machine).axes[machine.space :])), np.float64)
+    poses = np.empty((len(turns), len(positions), machine.dof))
+    poses[..., : machine.space] = positions
+    poses[..., machine.space :] = turns[:, None]
+    return np.asarray(np.min(wanted_margin(machine, poses), axis=0))
 
 
 def theoretical_share(machine: Machine) -> float:

@@ -12,7 +12,9 @@ ROUNDING = 1e-9  # a tension that misses its bound by less meets it
 
 def percent(share: float) -> str:
     """A share with one digit; all and nothing only where it is so."""
-    if 0 < share < 0.0005:
+    if share == 0:
+        return "0 %"
+    if share < 0.0005:
         return "less than 0.1 %"
     if 0.9995 <= share < 1:
         return "more than 99.9 %"
