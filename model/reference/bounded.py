@@ -144,14 +144,15 @@ class _Search:
         rows = np.flatnonzero(self.finite)
         usual = STEPS_PER_CABLE * self.tension.shape[-1]
         for count in range(2 * usual + MOST_DOUBLINGS):
-            arrived = self._move(rows, objective.step(self._state(rows)))
-            slope, rounding = objective.slope(self._state(rows))
+            through = self._move(rows, objective.step(self._state(rows)))
+            arrived = rows[through]
+            slope, rounding = objective.slope(self._state(arrived))
             rounding *= 2.0 ** max(0, count - 2 * usual)
-            wanted = self._to_release(rows, slope, rounding) & arrived[:, None]
+            wanted = self._to_release(arrived, slope, rounding)
             pick = np.argmax(wanted * np.abs(slope) if count < usual else wanted, axis=-1)
             waiting = np.any(wanted, axis=-1)
-            self.free[rows[waiting], pick[waiting]] = True
-            rows = rows[waiting | ~arrived]
+            self.free[arrived[waiting], pick[waiting]] = True
+            rows = np.concatenate([rows[~through], arrived[waiting]])
             if not rows.size:
                 return
         raise ArithmeticError(f"no end of the active-set search for {rows.size} tensions")

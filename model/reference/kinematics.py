@@ -163,7 +163,10 @@ def moment_lever(machine: Machine, dtype: np.dtype[np.floating]) -> Array:
 
 
 def _pose_jacobian(machine: Machine, pose: Array, rails: Array) -> Array:
-    return np.asarray(length_jacobian(machine, pose, rails) @ rotation_jacobian(machine, pose))
+    """d length / d pose (..., n, d); zero for a cable without a direction: its length is least."""
+    rows = length_jacobian(machine, pose, rails)
+    rows = np.where(np.isnan(rows), np.zeros_like(rows), rows)
+    return np.asarray(rows @ rotation_jacobian(machine, pose))
 
 
 def _arms(machine: Machine, pose: Array) -> Array:

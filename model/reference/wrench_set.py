@@ -5,7 +5,6 @@ between wrenches are those of [F; M / lever] [N], with the platform's lever; for
 forces only.
 """
 
-from itertools import combinations
 from math import comb
 
 import numpy as np
@@ -16,6 +15,7 @@ from model.reference.arrays import ROWS_PER_CHUNK, Array, norm
 from model.reference.bounded import ROUNDINGS, closest_tension
 from model.reference.kinematics import moment_lever
 from model.reference.linear import complete_basis, factorise
+from model.reference.minors import none_yet, normal, with_vector
 from model.reference.planar import inner_products, minors
 
 MOST_SIDES = 2**20  # in one chunk, each 16 bytes in long double
@@ -29,13 +29,19 @@ def slabs(machine: Machine, structure: Array) -> tuple[Array, Array, Array]:
     a set that has shrunk, because the cables do not span, also needs directions that fewer cables
     and what they all leave open determine. Such a row in the batch adds them to all rows.
     """
-    lever = moment_lever(machine, structure.dtype)
-    cables = np.swapaxes(structure, -1, -2) / lever
-    normals, sides = _planar_normals(cables) if machine.dof == 2 else _normals(cables)
+    normals, sides = facet_directions(machine, structure)
     lower, upper = np.asarray([machine.tension.min, machine.tension.max], structure.dtype)
     middle, reach = (upper + lower) / 2, (upper - lower) / 2
     half_width = reach * np.sum(np.abs(sides), axis=-1)
-    return normals / lever, middle * np.sum(sides, axis=-1), half_width
+    return normals, middle * np.sum(sides, axis=-1), half_width
+
+
+def facet_directions(machine: Machine, structure: Array) -> tuple[Array, Array]:
+    """The slabs' normals p (..., k, d) and sides p . s_i (..., k, n), whatever the bounds are."""
+    lever = moment_lever(machine, structure.dtype)
+    cables = np.swapaxes(structure, -1, -2) / lever
+    normals, sides = _planar_normals(cables) if machine.dof == 2 else _normals(cables)
+    return normals / lever, sides
 
 
 def contains(machine: Machine, structure: Array, wrench: Array) -> npt.NDArray[np.bool_]:
@@ -117,41 +123,23 @@ def _normals_to_cables(cables: Array, count: int, others: Array) -> Array:
 
     Where these are not independent: any unit vector.
     """
-    chosen = np.array(list(combinations(range(cables.shape[-2]), count)), np.intp)
-    groups = cables[..., chosen, :]
-    beside = np.broadcast_to(others[..., None, :, :], (*groups.shape[:-2], *others.shape[-2:]))
-    normals = cofactors(np.concatenate([groups, beside], axis=-2))
+    n = cables.shape[-2]
+    columns = np.ascontiguousarray(np.moveaxis(cables, (-1, -2), (0, 1)))  # (d, n, ...)
+    beside = np.ascontiguousarray(np.moveaxis(others, (-2, -1), (0, 1)))[:, :, None]
+    minors = none_yet(columns[0, :1])
+    for vector in beside:
+        minors = with_vector(minors, vector)
+    chosen: list[tuple[int, ...]] = [()]
+    for _ in range(count):
+        grown = [(k, i) for k, c in enumerate(chosen) for i in range(max(c, default=-1) + 1, n)]
+        parents, added = np.array(grown).T
+        minors = with_vector({r: minor[parents] for r, minor in minors.items()}, columns[:, added])
+        chosen = [(*chosen[k], i) for k, i in grown]
+    normals = np.moveaxis(normal(minors), (0, 1), (-1, -2))
     size = norm(normals)[..., None]
     first = np.zeros_like(normals)
     first[..., 0] = 1
     return np.divide(normals, size, out=first, where=size > 0)
-
-
-def cofactors(vectors: Array) -> Array:
-    """The vector (..., d) whose inner product with any w is det[w, v_1, ..., v_(d-1)].
-
-    vectors (..., d-1, d). All minors of the leading vectors, one vector more at a time (Laplace).
-    """
-    d = vectors.shape[-1]
-    minor: dict[tuple[int, ...], Array] = {(): np.ones(vectors.shape[:-2], vectors.dtype)}
-    for k in range(d - 1):
-        minor = {
-            rows: _minor(vectors[..., k, :], rows, minor) for rows in combinations(range(d), k + 1)
-        }
-    all_rows = tuple(range(d))
-    entries = [(-1) ** row * minor[_without(all_rows, row)] for row in all_rows]
-    return np.stack(entries, axis=-1)
-
-
-def _minor(vector: Array, rows: tuple[int, ...], smaller: dict[tuple[int, ...], Array]) -> Array:
-    """Of these rows, from the minors that lack the last vector."""
-    signs = [(-1) ** (len(rows) - 1 - place) for place in range(len(rows))]
-    terms = [vector[..., row] * smaller[_without(rows, row)] for row in rows]
-    return np.asarray(sum(sign * term for sign, term in zip(signs, terms, strict=True)))
-
-
-def _without(rows: tuple[int, ...], row: int) -> tuple[int, ...]:
-    return tuple(other for other in rows if other != row)
 
 
 def _closest_on_edges(machine: Machine, structure: Array, wrench: Array) -> Array:

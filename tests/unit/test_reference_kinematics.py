@@ -172,6 +172,14 @@ def test_a_platform_on_a_pulley_has_no_direction_there() -> None:
     assert np.all(np.isnan(structure[:, 0])) and np.all(np.isfinite(structure[:, 1:]))
 
 
+def test_forward_kinematics_finds_a_platform_on_a_pulley() -> None:
+    corners = machine_with((0.0, 0.0), (0.375, 0.0), (0.375, 0.5), (0.0, 0.5))  # 3, 4, 5: exact
+    pose = base_points(corners, NO_RAILS)
+    found = forward_kinematics(corners, cable_lengths(corners, pose, NO_RAILS), NO_RAILS)
+    assert np.max(np.abs(found.pose - pose)) < 10 * EPS
+    assert np.max(found.residual) < 10 * EPS
+
+
 def test_every_function_broadcasts_poses_against_rails() -> None:
     pose, rails = random_poses(7)
     grid = structure_matrix(STOCK, pose[:, None, :], rails[None, :5, :])
