@@ -101,12 +101,14 @@ def lagging_force(
 ) -> Array:
     """Least I_F (rows) [N] at poses (rows, dim) when the bases are where they should have been.
 
-    The hand has moved on by `lag` [m] in the worst of the directions (k, space), by default 16 in a
-    plane, the 14 to faces and corners of a cube in space; `rule` gives the rail coordinates for
-    a pose. NaN where the platform touches a pulley.
+    The hand has moved on by `lag` [m] in the worst of the directions (k, space), by default
+    `lag_directions`; `rule` gives the rail coordinates for a pose. NaN where the platform touches
+    a pulley.
     """
     places = np.atleast_2d(np.asarray(poses, np.float64))
-    ways = _all_ways(machine.space) if directions is None else np.asarray(directions, np.float64)
+    ways = (
+        lag_directions(machine.space) if directions is None else np.asarray(directions, np.float64)
+    )
     least = np.full(len(places), np.inf)
     for way in ways:
         behind = places.copy()
@@ -117,7 +119,8 @@ def lagging_force(
     return least
 
 
-def _all_ways(space: int) -> Array:
+def lag_directions(space: int) -> Array:
+    """Unit vectors (k, space): 16 around a plane; in space 14, to faces and corners of a cube."""
     if space == 2:
         angle = 2 * np.pi * np.arange(AROUND) / AROUND
         return np.stack([np.cos(angle), np.sin(angle)], axis=-1)

@@ -6,7 +6,7 @@ normal p, with pull the sum of the positive parts of p . s_i and push that of th
 the bounds enter only here, so one set of facets serves all bounds.
 
 That is true of every direction p, not of facets only. A direction more than needed, or one that
-rounding turned, is therefore a true bound on the set as well and does no harm.
+rounding turned, is therefore a true bound on the set as well: it cannot make it smaller.
 """
 
 from collections.abc import Callable
@@ -21,7 +21,8 @@ import numpy.typing as npt
 from model.workspace.rows import Array, in_chunks
 
 ROUNDINGS = 32  # a sum over the cables may be off by this many units in its last place
-NEARLY_FLAT = 1e-9  # det(S S') over its largest for that trace: well above what rounding leaves
+NEARLY_FLAT = np.sqrt(np.finfo(np.float64).eps)  # least singular value of S over its largest
+SUSPECT = NEARLY_FLAT  # det(S S') over its largest for that trace: above NEARLY_FLAT squared
 
 
 class Facets(NamedTuple):
@@ -105,16 +106,30 @@ def _facets(structure: Array, normals: Array) -> Facets:
 def _spanned_normals(structure: Array) -> Array:
     """Unit vectors (rows, f, d) normal to d - 1 cables: all facets of a set with an inside.
 
-    Cables that do not span a facet leave no normal; the first axis takes its place.
+    Cables that are dependent, up to rounding, span no facet; one of the other facets takes their
+    place. If all are, the normals are those of rounding, and the set is flat.
     """
-    d = structure.shape[-2]
+    d, n = structure.shape[-2:]
     product = _wedge_products(np.ascontiguousarray(np.moveaxis(structure, 0, -1)))
     signs = np.asarray([(-1.0) ** i for i in range(d)])
     normals = product[::-1].transpose(2, 1, 0) * signs  # the choice of rows k lacks d - 1 - k
-    length = np.sqrt(np.sum(normals**2, axis=-1, keepdims=True))
-    axis = np.eye(d)[0]
-    whole = np.divide(normals, length, out=np.zeros_like(normals) + axis, where=length != 0)
-    return np.asarray(whole)
+    length = np.sqrt(np.sum(normals**2, axis=-1))
+    size = np.sqrt(np.sum(structure**2, axis=-2))
+    largest = np.prod(size[:, _choices(n, d - 1)], axis=-1)
+    dependent = length <= ROUNDINGS * np.finfo(np.float64).eps * largest
+    if np.any(dependent):
+        rows, facets = np.nonzero(dependent)
+        other = np.argmax(length, axis=-1)[rows]
+        normals[rows, facets], length[rows, facets] = normals[rows, other], length[rows, other]
+    normals[length == 0] = np.eye(d)[0]
+    length[length == 0] = 1
+    return np.asarray(normals / length[..., None])
+
+
+@cache
+def _choices(n: int, size: int) -> npt.NDArray[np.intp]:
+    """All choices of so many columns (C(n, size), size)."""
+    return np.array(list(combinations(range(n), size)), np.intp)
 
 
 def _wedge_products(cables: Array) -> Array:
@@ -156,12 +171,19 @@ def _expansion(d: int, size: int) -> list[list[tuple[float, int, int]]]:
 
 
 def _is_nearly_flat(structure: Array) -> npt.NDArray[np.bool_]:
-    """Whether the set of wrenches has no inside, or one that is thin; False for NaN."""
+    """Whether the set of wrenches is as good as flat, or singular (rows); False for NaN.
+
+    The determinant sifts out most rows for less than a singular value decomposition costs.
+    """
     d = structure.shape[-2]
     gram = structure @ np.swapaxes(structure, -1, -2)
     largest = (np.trace(gram, axis1=-2, axis2=-1) / d) ** d
     with np.errstate(invalid="ignore"):
-        return np.asarray(np.linalg.det(gram) <= NEARLY_FLAT * largest)
+        flat = np.asarray(np.linalg.det(gram) <= SUSPECT * largest)
+    if np.any(flat):
+        values = np.linalg.svd(structure[flat], compute_uv=False)
+        flat[flat] = values[..., -1] <= NEARLY_FLAT * values[..., 0]
+    return flat
 
 
 def _flat_normals(structure: Array) -> Array:

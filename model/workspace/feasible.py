@@ -1,8 +1,8 @@
 """Wrench-feasible workspace (Yoon eq. 11; Bosscher 2006) and theoretical workspace (Brau 2.2).
 
 A margin [N] says how far every wrench of a demand is from the boundary of what bounded tensions
-can give: positive inside, negative by as much as the demand sticks out. Its sign is the verdict;
-on the boundary it is rounding, and `feasible` counts the boundary in.
+can give. Where it is negative, the demand sticks out of the worst facet by as much. Its sign is the
+verdict; on the boundary it is rounding, and `feasible` counts the boundary in.
 
 structure (..., d, n), rows in newtons (moments divided by the lever); forces fill the first `space`
 entries of a wrench, moments the rest. NaN in S gives NaN margins and False verdicts.
@@ -79,14 +79,14 @@ def ball_reach(facets: Facets, force: float, moment: float, space: int | None) -
 
 
 def feasible(
-    margin: npt.ArrayLike, structure: npt.ArrayLike, upper: float, demand: float = 0.0
+    margin: npt.ArrayLike, structure: npt.ArrayLike, upper: float, demand: npt.ArrayLike = 0.0
 ) -> Verdict:
     """Whether a margin (...) [N] says yes, boundary included up to rounding; False for NaN.
 
-    `demand` [N]: the largest wrench that was asked for, which is rounded as well.
+    `demand` (...) [N]: the largest wrench that was asked for, which is rounded as well.
     """
     slack = rounding(np.asarray(structure, np.float64), upper)
-    slack = slack + ROUNDINGS * np.finfo(np.float64).eps * demand
+    slack = slack + ROUNDINGS * np.finfo(np.float64).eps * np.asarray(demand)
     return np.asarray(np.asarray(margin) >= -slack)
 
 

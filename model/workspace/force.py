@@ -60,25 +60,23 @@ def isotropic_limits(
     """What every facet by itself allows of I_F (..., f) [N], both sides; f = 2 C(n, d-1).
 
     Negative where the zero wrench is beyond the facet. Piecewise smooth in the pose and the bases,
-    as their smallest is not: for optimisation. A facet that forces do not approach allows what all
-    cables together could pull.
+    as their smallest is not: for optimisation. Neither way is a limit larger than what all cables
+    together could pull.
     """
     *_, d, n = np.shape(structure)
     normals = comb(n, d - 1)  # the directions that only a flat set has come after these
 
-    def limits(facets: Facets, _: Array) -> Array:
+    def limits(facets: Facets, s: Array) -> Array:
         forces = facets.normals[:, :normals, :space]
         rate = np.sqrt(np.sum(forces**2, axis=-1))
-        sides = [support[:, :normals] for support in facets.supports(lower, upper)]
-        most = np.full(rate.shape, n * upper)
         near = rate > ROUNDINGS * np.finfo(np.float64).eps
-        return np.concatenate(
-            [
-                np.minimum(np.divide(side, rate, out=most.copy(), where=near), most)
-                for side in sides
-            ],
-            axis=-1,
-        )
+        slack = rounding(s, upper)[:, None]
+        found = []
+        for support in facets.supports(lower, upper):
+            side = support[:, :normals]
+            far = np.where(side < -slack, -np.inf, np.inf)
+            found.append(np.divide(side, rate, out=far, where=near))
+        return np.asarray(np.clip(np.concatenate(found, axis=-1), -n * upper, n * upper))
 
     return over_facets(limits, structure)
 

@@ -7,6 +7,8 @@ step defined; the centre follows l until the multiple has no effect (proximal po
 once more for the cables between their bounds leaves rounding only.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 import numpy.typing as npt
 
@@ -29,26 +31,53 @@ def least_norm_tension(
     s, w = np.asarray(structure, np.float64), np.asarray(wrench, np.float64)
     n = s.shape[-1]
     margin = wrench_margin(s, lower, upper, w)
-    possible = feasible(margin, s, upper, float(np.max(np.abs(w), initial=0)))
+    possible = feasible(margin, s, upper, np.max(np.abs(w), axis=-1))
 
     def solve(s: Array, w: Array, possible: Array) -> Array:
         tension = np.full((len(s), n), np.nan)
         rows = possible != 0
         if np.any(rows):
-            found = _dual_newton(s[rows], w[rows], lower, upper)
-            tension[rows] = _finished(s[rows], w[rows], lower, upper, found)
+            problems = _Problems(s[rows], w[rows], lower, upper)
+            tension[rows] = _finished(problems, _dual_newton(problems))
         return tension
 
     return in_chunks(solve, 4 * n * n, (s, 2), (w, 1), (possible, 0))
 
 
-def _dual_newton(s: Array, w: Array, lower: float, upper: float) -> Array:
+class _Problems(NamedTuple):
+    """S (rows, d, n), W (rows, d) and the bounds."""
+
+    s: Array
+    w: Array
+    lower: float
+    upper: float
+
+    def only(self, rows: npt.NDArray[np.intp]) -> "_Problems":
+        return self._replace(s=self.s[rows], w=self.w[rows])
+
+    def along(self, dual: Array) -> Array:
+        """S' l (rows, n), the tensions without bounds."""
+        return np.asarray(np.einsum("rdn,rd->rn", self.s, dual))
+
+    def tension(self, dual: Array) -> Array:
+        return np.asarray(np.clip(self.along(dual), self.lower, self.upper))
+
+    def error(self, tension: Array) -> Array:
+        """S T - W (rows, d)."""
+        return np.asarray(np.einsum("rdn,rn->rd", self.s, tension) - self.w)
+
+    def rounding(self) -> Array:
+        size = ROUNDINGS * np.finfo(np.float64).eps * np.max(np.abs(self.w), axis=-1)
+        return np.asarray(rounding(self.s, self.upper) + size)
+
+
+def _dual_newton(problems: _Problems) -> Array:
     """Tensions (rows, n) at the least value of the dual."""
-    dual, centre = np.zeros(w.shape), np.zeros(w.shape)
-    small = rounding(s, upper) + ROUNDINGS * np.finfo(np.float64).eps * np.max(np.abs(w), axis=-1)
-    going = np.arange(len(s))
+    dual, centre = np.zeros(problems.w.shape), np.zeros(problems.w.shape)
+    small = problems.rounding()
+    going = np.arange(len(dual))
     for _ in range(MOST_STEPS):
-        error = _given(s[going], np.clip(_along(s[going], dual[going]), lower, upper)) - w[going]
+        error = problems.only(going).error(problems.only(going).tension(dual[going]))
         unsolved = np.max(np.abs(error), axis=-1) > small[going]
         going, error = going[unsolved], error[unsolved]
         if not going.size:
@@ -57,68 +86,64 @@ def _dual_newton(s: Array, w: Array, lower: float, upper: float) -> Array:
         settled = np.max(np.abs(slope), axis=-1) <= small[going]
         centre[going[settled]] = dual[going[settled]]
         slope[settled] = error[settled]
-        step = _newton_step(s[going], dual[going], slope, lower, upper)
-        dual[going] += (
-            _line_search(s[going], dual[going], step, slope, lower, upper)[:, None] * step
-        )
-    return np.asarray(np.clip(_along(s, dual), lower, upper))
+        dual[going] += _newton_step(problems.only(going), dual[going], slope)
+    return problems.tension(dual)
 
 
-def _along(s: Array, dual: Array) -> Array:
-    return np.asarray(np.einsum("rdn,rd->rn", s, dual))
-
-
-def _given(s: Array, tension: Array) -> Array:
-    return np.asarray(np.einsum("rdn,rn->rd", s, tension))
-
-
-def _newton_step(s: Array, dual: Array, slope: Array, lower: float, upper: float) -> Array:
-    along = _along(s, dual)
-    free = s * ((along > lower) & (along < upper))[:, None, :]
-    curvature = free @ np.swapaxes(s, -1, -2) + DAMPING * np.eye(s.shape[-2])
-    return np.asarray(-np.linalg.solve(curvature, slope[..., None])[..., 0])
+def _newton_step(problems: _Problems, dual: Array, slope: Array) -> Array:
+    """Newton's step (rows, d), as long as it makes the dual smallest."""
+    along = problems.along(dual)
+    free = problems.s * ((along > problems.lower) & (along < problems.upper))[:, None, :]
+    curvature = free @ np.swapaxes(free, -1, -2) + DAMPING * np.eye(dual.shape[-1])
+    step = np.asarray(-np.linalg.solve(curvature, slope[..., None])[..., 0], np.float64)
+    share = _line_search(problems, along, problems.along(step), step, slope)
+    return np.asarray(share[:, None] * step)
 
 
 def _line_search(
-    s: Array, dual: Array, step: Array, slope: Array, lower: float, upper: float
+    problems: _Problems, along: Array, change: Array, step: Array, slope: Array
 ) -> Array:
-    """Where the derivative along the step (rows), piecewise linear and growing, is zero.
+    """Share of the step (rows) where the derivative along it, growing in pieces, is zero.
 
-    It is known to be step . slope at the start; the rest follows from the tensions' change.
+    It is step . slope at the start and changes with the tensions, whose bounds are the knots.
     """
-    along, change = _along(s, dual), _along(s, step)
-    still = change == 0
-    knots = [(bound - along) / np.where(still, np.inf, change) for bound in (lower, upper)]
-    at = np.maximum(np.concatenate([np.zeros((len(s), 1)), *knots], axis=-1), 0)
-    tension = np.clip(along[:, None] + at[..., None] * change[:, None], lower, upper)
-    stiffness = DAMPING * np.sum(step**2, axis=-1)
+    bounds = problems.lower, problems.upper
+    rate = np.where(change == 0, np.inf, change)
+    knots = [np.zeros((len(step), 1)), *((bound - along) / rate for bound in bounds)]
+    at = np.maximum(np.concatenate(knots, axis=-1), 0)
+    tension = np.clip(along[:, None] + at[..., None] * change[:, None], *bounds)
     gained = np.einsum("rkn,rn->rk", tension - tension[:, :1], change)
-    derivative = np.sum(step * slope, axis=-1)[:, None] + gained + stiffness[:, None] * at
-    falling = derivative < 0
-    before = np.max(np.where(falling, at, 0), axis=-1)
-    after = np.min(np.where(falling, np.inf, at), axis=-1)
-    below = np.max(np.where(falling, derivative, -np.inf), axis=-1)
-    above = np.min(np.where(falling, np.inf, derivative), axis=-1)
+    damping = DAMPING * np.sum(step**2, axis=-1)
+    start = np.sum(step * slope, axis=-1)
+    return _root(at, start[:, None] + gained + damping[:, None] * at, damping)
+
+
+def _root(at: Array, value: Array, growth: Array) -> Array:
+    """Zero (rows) of a growing function that is linear between knots `at` (rows, k), not sorted.
+
+    Beyond the last knot it grows with the slope `growth` (rows). 0 where no value is negative.
+    """
+    negative = value < 0
+    before = np.max(np.where(negative, at, 0), axis=-1)
+    after = np.min(np.where(negative, np.inf, at), axis=-1)
+    below = np.max(np.where(negative, value, -np.inf), axis=-1)
+    above = np.min(np.where(negative, np.inf, value), axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):
         inside = before - below * (after - before) / (above - below)
-        beyond = before - below / stiffness
-    share = np.where(np.isfinite(after), inside, beyond)
-    return np.where(np.any(falling, axis=-1), share, 0)
+        beyond = before - below / growth
+    root = np.where(np.isfinite(after), inside, beyond)
+    return np.where(np.any(negative, axis=-1), root, 0)
 
 
-def _finished(s: Array, w: Array, lower: float, upper: float, found: Array) -> Array:
+def _finished(problems: _Problems, found: Array) -> Array:
     """The least-norm tensions of the cables found free; as found where those leave the bounds."""
-    free = (found > lower) & (found < upper)
+    free = (found > problems.lower) & (found < problems.upper)
     held = np.where(free, 0, found)
-    inverse = np.asarray(np.linalg.pinv(s * free[:, None, :], rcond=DAMPING), np.float64)
-    solved = held + _given(inverse, w - _given(s, held))
-    small = rounding(s, upper)[:, None]
-    bounded = np.all((solved >= lower - small) & (solved <= upper + small), axis=-1)
-    better = bounded & (_error(s, w, solved) <= _error(s, w, found))
-    tension = np.where(better[:, None], np.clip(solved, lower, upper), found)
-    true = _error(s, w, tension) <= DAMPING * upper
-    return np.where(true[:, None], tension, np.nan)
-
-
-def _error(s: Array, w: Array, tension: Array) -> Array:
-    return np.asarray(np.max(np.abs(_given(s, tension) - w), axis=-1))
+    inverse = np.asarray(np.linalg.pinv(problems.s * free[:, None, :], rcond=DAMPING), np.float64)
+    solved = held - np.einsum("rnd,rd->rn", inverse, problems.error(held))
+    clipped = np.clip(solved, problems.lower, problems.upper)
+    bounded = np.max(np.abs(solved - clipped), axis=-1) <= problems.rounding()
+    error, was = (np.max(np.abs(problems.error(t)), axis=-1) for t in (clipped, found))
+    tension = np.where((bounded & (error <= was))[:, None], clipped, found)
+    wrong = np.max(np.abs(problems.error(tension)), axis=-1) > DAMPING * problems.upper
+    return np.where(wrong[:, None], np.nan, tension)

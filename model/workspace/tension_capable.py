@@ -12,13 +12,14 @@ from itertools import combinations, pairwise
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.feasible import wrench_closure
+from model.workspace.feasible import feasible, wrench_closure
+from model.workspace.force import isotropic_force
 from model.workspace.gaps import adjacent_gaps
 from model.workspace.rows import Array
 
 HALVINGS = 52  # of the ratio, from 1 to its last place
-ROUNDING = 64 * np.finfo(np.float64).eps  # of an angle [rad]
-SAME_POINT = np.sqrt(np.finfo(np.float64).eps)  # crossings of almost tangent arcs are that inexact
+SAME_POINT = 64 * np.finfo(np.float64).eps  # in shares of an arc
+SHALLOW = 0.01  # [rad]: of smaller segments, the area by formula would be rounding
 
 
 def largest_angle(ratio: float) -> float:
@@ -66,58 +67,105 @@ def largest_circle_eq22(circumradius: float, ratio: float) -> float:
 
 @dataclass(frozen=True)
 class Arc:
-    """A piece of a circle: centre [m], radius [m], first angle and signed sweep [rad]."""
+    """An arc of a circle from begin to end (x, y) [m], bulging to the left of its chord.
 
-    centre: tuple[float, float]
-    radius: float
-    start: float
-    sweep: float
+    angle [rad]: between chord and arc at either end, half of what the arc sweeps about its centre.
+    Nothing here divides by the arc's height, so that next to straight arcs are as exact as others.
+    """
+
+    begin: tuple[float, float]
+    end: tuple[float, float]
+    angle: float
+
+    @property
+    def chord(self) -> Array:
+        """From begin to end (2) [m]."""
+        return np.subtract(self.end, self.begin)
+
+    @property
+    def radius(self) -> float:
+        """Radius [m]."""
+        return float(np.hypot(*self.chord) / (2 * np.sin(self.angle)))
+
+    @property
+    def centre(self) -> tuple[float, float]:
+        """Centre (x, y) [m]."""
+        x, y = self.chord / 2
+        height = 1 / np.tan(self.angle)
+        return float(self.begin[0] + x + y * height), float(self.begin[1] + y - x * height)
 
     def points(self, share: npt.ArrayLike) -> Array:
-        """Points (..., 2) [m] at shares (...) of the sweep, from 0 to 1."""
-        angle = self.start + np.asarray(share, np.float64) * self.sweep
-        around = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        return np.asarray(self.centre + self.radius * around)
+        """Points (..., 2) [m] at shares (...) of the arc, from 0 to 1."""
+        run = np.asarray(share, np.float64)
+        reach = np.sin(run * self.angle) / np.sin(self.angle)
+        turn = (1 - run) * self.angle
+        x, y = self.chord
+        ahead = np.cos(turn) * x - np.sin(turn) * y
+        aside = np.sin(turn) * x + np.cos(turn) * y
+        return np.asarray(self.begin + np.stack([reach * ahead, reach * aside], axis=-1))
+
+    def part(self, first: float, last: float) -> "Arc":
+        """The arc between two shares of it."""
+        (x, y), (u, v) = self.points([first, last]).tolist()
+        return Arc((x, y), (u, v), (last - first) * self.angle)
 
     @property
     def swept_area(self) -> float:
-        """Half the integral of x dy - y dx along the arc [m^2]: their sum is a region's area."""
-        first, last = self.points(0.0), self.points(1.0)
-        x, y = last - first
-        chord = self.centre[0] * y - self.centre[1] * x
-        return float(self.radius**2 * self.sweep + chord) / 2
-
-    def part(self, begin: float, end: float) -> "Arc":
-        """The arc between two shares of its sweep."""
-        return Arc(
-            self.centre, self.radius, self.start + begin * self.sweep, (end - begin) * self.sweep
-        )
+        """Half the integral of x dy - y dx along the arc [m^2]; summed up, a region's area."""
+        sweep = 2 * self.angle
+        if sweep < SHALLOW:  # sweep - sin(sweep) in powers of it
+            bulge = sweep**3 / 6 * (1 - sweep**2 / 20 * (1 - sweep**2 / 42))
+        else:
+            bulge = sweep - np.sin(sweep)
+        chord = self.begin[0] * self.end[1] - self.begin[1] * self.end[0]
+        return float(chord - self.radius**2 * bulge) / 2
 
 
 @dataclass(frozen=True)
-class CapableRegion:
-    """The TCW of three or four fixed pulleys for a ratio F / t_max, with its exact boundary.
-
-    The arcs run counter-clockwise around it; area [m^2]; share of the polygon of the pulleys,
-    which is the theoretical workspace; best_ratio, the largest that leaves a TCW.
-    """
+class Capability:
+    """How much is tension capable at a ratio F / t_max: its share, and the best ratio of all."""
 
     ratio: float
-    arcs: tuple[Arc, ...]
-    area: float
     share: float
     best_ratio: float
 
     def __str__(self) -> str:
-        if not self.arcs:
+        if self.share == 0:
             return (
                 f"the tension capable workspace is empty: F / t_max = {self.ratio:.4g} is wanted"
                 f" in every direction, and no pose gives more than {self.best_ratio:.4g}"
             )
-        return (
-            f"F / t_max = {self.ratio:.4g} is given in every direction"
-            f" on {self.share:.2%} of the theoretical workspace"
-        )
+        return f"F / t_max = {self.ratio:.4g} is given in every direction on {self.share:.2%}"
+
+
+@dataclass(frozen=True)
+class CapableRegion(Capability):
+    """The TCW of three or four fixed pulleys for a ratio F / t_max, with its exact boundary.
+
+    `share` is of the polygon of the pulleys, which is the theoretical workspace. The arcs run
+    counter-clockwise around the TCW; area [m^2].
+    """
+
+    arcs: tuple[Arc, ...]
+    area: float
+
+    def __str__(self) -> str:
+        text = super().__str__()
+        return text + " of the theoretical workspace" if self.arcs else text
+
+
+def capability(
+    structure: npt.ArrayLike, lower: float, upper: float, force: float, space: int | None = None
+) -> Capability:
+    """How many of the poses (rows, d, n) give `force` [N] in every direction, for any machine.
+
+    Bounds [N], `space` as for `force.isotropic_force`. Poses on a pulley do not count as capable.
+    """
+    s = np.asarray(structure, np.float64)
+    strength = np.nan_to_num(isotropic_force(s, lower, upper, space), nan=0.0)
+    capable = feasible(strength - force, s, upper, force)
+    best = float(np.max(strength, initial=0.0))
+    return Capability(force / upper, float(np.mean(capable)), best / upper)
 
 
 def capable_region(pulleys: npt.ArrayLike, ratio: float) -> CapableRegion:
@@ -132,7 +180,8 @@ def capable_region(pulleys: npt.ArrayLike, ratio: float) -> CapableRegion:
         raise ValueError(f"F / t_max is {ratio}; allowed: a positive number")
     arcs = _boundary(corners, ratio)
     area = sum(arc.swept_area for arc in arcs)
-    return CapableRegion(ratio, arcs, area, area / _polygon_area(corners), _best_ratio(corners))
+    share = area / _polygon_area(corners)
+    return CapableRegion(ratio, share, _best_ratio(corners), arcs, area)
 
 
 def _convex_corners(pulleys: Array) -> Array:
@@ -148,55 +197,64 @@ def _convex_corners(pulleys: Array) -> Array:
 
 
 def _boundary(corners: Array, ratio: float) -> tuple[Arc, ...]:
+    """The arcs over the edges, cut where they meet, without what other edges rule out."""
     if ratio > 1:
         return ()
-    arcs = [
-        _arc_over(begin, end, ratio)
-        for begin, end in zip(corners, np.roll(corners, -1, axis=0), strict=True)
-    ]
+    ends = [(x, y) for x, y in corners.tolist()]
+    angle = float(np.arcsin(ratio))
+    arcs = [Arc(a, b, angle) for a, b in pairwise([*ends, ends[0]])]
     pieces = []
-    for arc in arcs:
-        cuts = sorted({0.0, 1.0, *(cut for other in arcs for cut in _crossings(arc, other))})
-        pieces += [
-            arc.part(first, last) for first, last in pairwise(cuts) if last - first > SAME_POINT
-        ]
-    return tuple(piece for piece in pieces if _is_capable(piece.points(0.5), corners, ratio))
-
-
-def _arc_over(begin: Array, end: Array, ratio: float) -> Arc:
-    """The points inside the polygon that see the edge under theta_max, from begin to end.
-
-    The centre lies beyond the edge, so that the arc is less than half a circle, run clockwise.
-    """
-    edge = end - begin
-    half = np.arcsin(ratio)
-    outward = np.array([edge[1], -edge[0]])
-    centre = (begin + end) / 2 + outward * (np.sqrt(1 - ratio**2) / (2 * ratio))
-    x, y = begin - centre
-    radius = float(np.hypot(x, y))
-    return Arc((float(centre[0]), float(centre[1])), radius, float(np.arctan2(y, x)), -2 * half)
+    for edge, arc in enumerate(arcs):
+        others = [other for other in arcs if other is not arc]
+        cuts = sorted({0.0, 1.0, *(cut for other in others for cut in _crossings(arc, other))})
+        for first, last in pairwise(cuts):
+            middle = arc.points((first + last) / 2)
+            if last - first > SAME_POINT and _others_allow(middle, corners, edge, ratio):
+                pieces.append(arc.part(first, last))
+    return tuple(pieces)
 
 
 def _crossings(arc: Arc, other: Arc) -> list[float]:
-    """Shares of the arc's sweep, inside it, where it meets the other arc's circle."""
-    x, y = np.subtract(other.centre, arc.centre)
-    distance = float(np.hypot(x, y))
-    if distance == 0:
-        return []
-    along = (distance**2 + arc.radius**2 - other.radius**2) / (2 * distance * arc.radius)
-    if abs(along) >= 1:
-        return []
-    turns = [np.arctan2(y, x) + side * np.arccos(along) - arc.start for side in (1, -1)]
-    shares = [float(-np.mod(-turn, 2 * np.pi) / arc.sweep) for turn in turns]
-    return [share for share in shares if 0 < share < 1]
+    """Shares of the arc, inside it, where it meets the circle of another arc of the same angle.
+
+    The difference of both circles' equations is linear; on the arc it is quadratic in
+    v = tan(share angle), and exactly 0 at v = 0 where the arcs share this corner.
+    """
+    here, slope = _circle(other, arc.begin)
+    slope = slope - _circle(arc, arc.begin)[1]
+    along, across = (float(slope @ side) for side in (arc.chord, _turned(arc.chord)))
+    sine, cosine = np.sin(arc.angle), np.cos(arc.angle)
+    quadratic = [here + along - across * cosine / sine, along * cosine / sine + across, here]
+    roots = np.roots(quadratic)
+    shares = np.arctan(roots[np.isreal(roots)].real) / arc.angle
+    return [share for share in shares.tolist() if 0 < share < 1]
 
 
-def _is_capable(point: Array, corners: Array, ratio: float) -> bool:
-    """Whether no two neighbouring pulleys are seen under more than theta_max."""
+def _circle(arc: Arc, point: tuple[float, float]) -> tuple[float, Array]:
+    """What is zero on an arc's circle, with value and gradient (2) at a point.
+
+    The sine of the angle under which the point sees the chord, beyond that of the arc, times both
+    distances.
+    """
+    first, last = np.subtract(arc.begin, point), np.subtract(arc.end, point)
+    sine, cosine = np.sin(arc.angle), np.cos(arc.angle)
+    value = float(_cross(first, last) * cosine + np.sum(first * last) * sine)
+    return value, _turned(last - first) * cosine - (first + last) * sine
+
+
+def _others_allow(point: Array, corners: Array, edge: int, ratio: float) -> bool:
+    """Whether a point over one edge is in the polygon, and sees no other edge under too much."""
     reach = corners - point
     following = np.roll(reach, -1, axis=0)
-    angle = np.arctan2(_cross(reach, following), np.sum(reach * following, axis=-1))
-    return bool(np.all((angle > 0) & (angle <= largest_angle(ratio) + ROUNDING)))
+    angle = np.delete(
+        np.arctan2(_cross(reach, following), np.sum(reach * following, axis=-1)), edge
+    )
+    return bool(np.all((angle > 0) & (angle <= largest_angle(ratio))))
+
+
+def _turned(vector: Array) -> Array:
+    """A quarter to the left."""
+    return np.array([-vector[1], vector[0]])
 
 
 def _best_ratio(corners: Array) -> float:

@@ -75,6 +75,17 @@ def measures(s: Doubles, space: int) -> Doubles:
     )
 
 
+def forces_alone(s: Doubles, space: int) -> Doubles:
+    """What is said of forces without a moment."""
+    return np.array(
+        [
+            isotropic_force(s, LOWER, UPPER, space),
+            needed_tension(s, LOWER, 2.0, space=space),
+            tension_factor(s, LOWER, UPPER),
+        ]
+    )
+
+
 def same(one: npt.ArrayLike, other: npt.ArrayLike) -> bool:
     return np.allclose(one, other, rtol=1e-9, atol=NEWTON, equal_nan=True)
 
@@ -93,6 +104,17 @@ def test_nothing_depends_on_the_order_of_the_cables(drawn: Cables, random: Rando
     s, space = drawn
     order = random.sample(range(s.shape[1]), s.shape[1])
     assert same(measures(s, space), measures(s[:, order], space))
+
+
+@unhurried
+@given(cables(), st.floats(0.1, 10))
+def test_forces_without_a_moment_do_not_depend_on_the_lever(drawn: Cables, lever: float) -> None:
+    s, space = drawn
+    other = s.copy()
+    other[space:] /= lever
+    assume(smallest_singular_value(other) > 0.05)
+    assert same(forces_alone(s, space), forces_alone(other, space))
+    assert wrench_closure(s) == wrench_closure(other)
 
 
 @unhurried

@@ -1,5 +1,7 @@
 """Facets of the wrench set against linear programming, for all dimensions and degenerate sets."""
 
+from itertools import combinations
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -165,6 +167,34 @@ def test_the_supports_are_what_the_tensions_give() -> None:
     assert np.allclose(pull - push, along.sum(-1), atol=rounding(s, 1.0))
     assert np.allclose(pull + push, np.abs(along).sum(-1), atol=rounding(s, 1.0))
     assert np.all(np.sum(np.abs(along) < 1e-12, axis=-1) == 2)
+
+
+@pytest.mark.parametrize(("d", "n"), [(2, 5), (3, 7), (6, 8)])
+def test_normals_are_the_null_vectors_of_the_cables_they_belong_to(d: int, n: int) -> None:
+    for s in random_structures(20, d, n, seed=d):
+        subsets = [s[:, chosen] for chosen in combinations(range(n), d - 1)]
+        normals = np.array([np.linalg.svd(cables)[0][:, -1] for cables in subsets])
+        along = normals @ s
+        reach = UPPER * np.maximum(along, 0) - LOWER * np.maximum(-along, 0)
+        back = UPPER * np.maximum(-along, 0) - LOWER * np.maximum(along, 0)
+        expected = np.min(np.minimum(reach.sum(-1), back.sum(-1)))
+        assert ball_margin(s, LOWER, UPPER) == pytest.approx(expected, rel=1e-9, abs=1e-11)
+
+
+def test_cables_that_span_no_facet_add_none() -> None:
+    (s,) = random_structures(1, 3, 6)
+    s[:, 1] = -s[:, 0]
+    outside = np.array([1e5, 0, 0])  # the axis itself would say less than all facets
+    expected = np.inf
+    for i, j in combinations(range(6), 2):
+        normal = np.cross(s[:, i], s[:, j])
+        if (i, j) != (0, 1):
+            for unit in (normal / np.linalg.norm(normal), -normal / np.linalg.norm(normal)):
+                reach = UPPER * np.maximum(unit @ s, 0) - LOWER * np.maximum(-unit @ s, 0)
+                expected = min(expected, float(np.sum(reach) - unit @ outside))
+    assert polytope_margin(s, LOWER, UPPER, [outside]) == pytest.approx(expected, rel=1e-12)
+    axis_alone = UPPER * np.sum(np.maximum(s[0], 0)) - LOWER * np.sum(np.maximum(-s[0], 0)) - 1e5
+    assert axis_alone < expected - 0.1
 
 
 def test_the_theoretical_workspace_of_fixed_pulleys_is_their_polygon() -> None:

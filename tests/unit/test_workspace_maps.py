@@ -144,7 +144,22 @@ def test_a_pose_that_no_motor_can_serve_says_so(pose: list[float]) -> None:
     assert choice.worst_pose == tuple(pose) and "no motor is strong enough" in str(choice)
 
 
-def test_moments_are_made_comparable_by_the_lever() -> None:
-    demand = target_demand(STOCK)
-    assert demand == (STOCK.target.force, 0, 2)
+def test_moments_are_made_comparable_by_the_lever(monkeypatch: pytest.MonkeyPatch) -> None:
+    turned = turning(STOCK, 2, 3)
+    anchors = [(0.3, 0.0), (0.0, 0.3), (-0.3, 0.0), (0.0, -0.3)]
+    cables = tuple(
+        cable.model_copy(update={"anchor": anchor})
+        for cable, anchor in zip(STOCK.cables, anchors, strict=True)
+    )
+    target = turned.target.model_copy(update={"moment": 0.6})
+    machine = turned.model_copy(update={"cables": cables, "target": target})
+    s = np.arange(12.0).reshape(3, 4)
+    monkeypatch.setattr("model.workspace.structures.structure_matrix", lambda *_: s)
+    found = structures(machine, [0.0] * 3, [0.0] * 4)
+    assert np.array_equal(found[:2], s[:2]) and np.allclose(found[2], s[2] / 0.3, rtol=4 * EPS)
+    assert target_demand(machine) == pytest.approx((STOCK.target.force, 2.0, 2), rel=4 * EPS)
+
+
+def test_points_have_forces_only() -> None:
+    assert target_demand(STOCK) == (STOCK.target.force, 0, 2)
     assert structures(STOCK, [0.3, 0.2], [0.3, 0.2, 0.3, 0.2]).shape == (2, 4)

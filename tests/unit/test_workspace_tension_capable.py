@@ -14,6 +14,7 @@ from model.workspace.max_tension import (
 )
 from model.workspace.tension_capable import (
     Arc,
+    capability,
     capable_by_gap,
     capable_ratio_eq23,
     capable_region,
@@ -106,6 +107,7 @@ def test_the_largest_gap_is_too_careful_with_more_cables(n: int, share: float) -
         np.array([[0, 0], [3, 0.1], [0.7, 0.9]]),
         np.array([[0, 0], [2, 0.1], [1.5, 1.2], [0.2, 0.7]]),
         np.array([[0, 0], [4, 0.0], [4, 0.5], [0, 0.5]]),
+        np.array([[0, 0], [1, 0], [3, 2.5]]),
     ],
 )
 @pytest.mark.parametrize("ratio", [0.2, 0.45, 0.7])
@@ -130,7 +132,7 @@ def test_the_arcs_of_a_triangle_meet_as_its_corners_are_sharp() -> None:
 
 
 def test_the_best_ratio_of_an_equilateral_triangle_is_half_the_root_of_3() -> None:
-    assert capable_region(polygon(3), 0.5).best_ratio == pytest.approx(np.sqrt(3) / 2, rel=1e-7)
+    assert capable_region(polygon(3), 0.5).best_ratio == pytest.approx(np.sqrt(3) / 2, rel=1e-12)
     assert largest_circle_eq22(1.0, np.sqrt(3) / 2) == pytest.approx(0, abs=1e-15)
     assert largest_circle_eq22(1.0, 0.87) < 0
 
@@ -155,6 +157,20 @@ def test_a_workspace_that_is_not_empty_tells_its_share() -> None:
     assert "63.77%" in str(capable_region(SQUARE, 0.5))
 
 
+def test_any_machine_tells_how_much_of_its_grid_is_capable() -> None:
+    s = cables(SQUARE, brau_grid())
+    found = capability(s, 0, 10, 5)
+    assert found.share == 0.664 and found.best_ratio < 1
+    assert str(found) == "F / t_max = 0.5 is given in every direction on 66.40%"
+    centre = capability(cables(SQUARE, [[0, 0]]), 3, 10, 7)
+    assert centre.share == 1 and centre.best_ratio == pytest.approx(0.7, rel=8 * EPS)
+    five = capability(cables(polygon(5), poses_among(polygon(5), 500)), 1, 10, 15)
+    assert five.share == 0 and str(five).startswith("the tension capable workspace is empty")
+    with np.errstate(invalid="ignore"):
+        on_pulley = cables(SQUARE, [SQUARE[0], [0.0, 0.0]])
+    assert capability(on_pulley, 0, 10, 5).share == 0.5
+
+
 def test_arcs_are_refused_where_they_are_not_the_boundary() -> None:
     dent = np.array([[0, 0], [2, 0], [0.5, 0.5], [0, 2]])
     with pytest.raises(ValueError, match="corners of a convex polygon"):
@@ -165,11 +181,31 @@ def test_arcs_are_refused_where_they_are_not_the_boundary() -> None:
         capable_region(SQUARE, 0)
 
 
-def test_the_area_of_a_circle_comes_from_its_arc() -> None:
-    circle = Arc((3.0, -2.0), 0.5, 0.7, 2 * np.pi)
-    assert circle.swept_area == pytest.approx(np.pi / 4, rel=20 * EPS)
-    halves = circle.part(0, 0.5).swept_area + circle.part(0.5, 1).swept_area
-    assert halves == pytest.approx(np.pi / 4, rel=20 * EPS)
+def test_the_area_of_a_circle_comes_from_its_arcs() -> None:
+    east, west = (3.5, -2.0), (2.5, -2.0)
+    lower, upper = Arc(east, west, np.pi / 2), Arc(west, east, np.pi / 2)
+    assert lower.swept_area + upper.swept_area == pytest.approx(-np.pi / 4, rel=20 * EPS)
+    thirds = sum(lower.part(k / 3, (k + 1) / 3).swept_area for k in range(3))
+    assert thirds == pytest.approx(lower.swept_area, rel=20 * EPS)
+    assert lower.points(0.5) == pytest.approx([3, -2.5], rel=8 * EPS)
+    assert lower.centre == pytest.approx((3, -2), rel=8 * EPS)
+    assert lower.radius == pytest.approx(0.5, rel=8 * EPS)
+
+
+def test_the_area_of_a_shallow_arc_is_no_rounding() -> None:
+    steep, shallow = (Arc((0, 0), (1, 0), angle).swept_area for angle in (0.005001, 0.004999))
+    assert steep / shallow == pytest.approx(0.005001 / 0.004999, rel=1e-8)
+    assert Arc((0, 0), (1, 0), 1e-9).swept_area == pytest.approx(-1e-9 / 6, rel=1e-8)
+
+
+@pytest.mark.parametrize("ratio", [1e-3, 1e-6, 1e-12])
+def test_a_small_force_takes_a_share_of_the_square_in_proportion(ratio: float) -> None:
+    region = capable_region(SQUARE, ratio)
+    assert len(region.arcs) == 4
+    assert 1 - region.share == pytest.approx(2 / 3 * ratio, rel=ratio, abs=20 * EPS)
+
+
+def test_the_largest_angle_is_that_of_equation_21() -> None:
     assert largest_angle(0.5) == pytest.approx(5 * np.pi / 6, rel=4 * EPS)
 
 
