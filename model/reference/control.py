@@ -10,13 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import DisturbanceObserver, Machine, RailDrive
-from model.reference.arrays import Array, as_floating
-from model.reference.bases import Travel, travels
+from model.reference.arrays import Array, as_floating, unit
+from model.reference.bases import travels
 from model.reference.kinematics import anchor_points, moment_lever
 from model.reference.linear import least_norm
 from model.reference.statics import wrench
 
 INTEGRAL, MEASURED, SPEED = range(3)
+EDGE_ON = 1e-12  # the square of a plane's area, seen along a heading that lies in it
 
 
 class BasePid(NamedTuple):
@@ -61,35 +62,48 @@ def wall_force(machine: Machine, pose: npt.ArrayLike, velocity: npt.ArrayLike) -
 def base_targets(machine: Machine, pose: npt.ArrayLike) -> Array:
     """Rail coordinates (..., m) [m] that bring the bases nearest to their anchors, clamped.
 
-    On the rails of Yoon's frame this is the orthogonal configuration (section III-B). A coordinate
-    that moves several bases goes to the mean of what they ask for. A base on a plane in space goes
-    to the foot of the perpendicular; in the plane, where it could reach the anchor itself, it rests
-    on its first side: second coordinate 0.
+    On the rails of Yoon's frame this is the orthogonal configuration (section III-B). A base with a
+    heading comes nearest as seen along it, so that its cable takes that direction. A coordinate
+    that moves several bases goes where the sum of their squared distances is least. A base on a
+    plane in space goes to the foot of the perpendicular; in the plane, where it could reach the
+    anchor itself, or seen edge-on, it rests on its first side: second coordinate 0.
     """
     anchors = anchor_points(machine, pose)
-    wanted: list[list[Array]] = [[] for _ in machine.rails]
+    wanted: list[list[tuple[Array, Array]]] = [[] for _ in machine.rails]
     for i, travel in enumerate(travels(machine, anchors.dtype)):
-        span = anchors[..., i, :] - travel.start
-        feet = _foot(span, travel, resting=machine.space == 2)
+        heading = np.asarray(machine.base_motions[i].heading, anchors.dtype)
+        span = _across(anchors[..., i, :] - travel.start, heading)
+        ways = [_across(direction, heading) for _, direction in travel.directions]
+        feet = _feet(span, ways, resting=machine.space == 2)
         for (k, _), foot in zip(travel.directions, feet, strict=True):
             wanted[k].append(foot)
     targets = np.empty((*anchors.shape[:-2], len(machine.rails)), anchors.dtype)
     for k, (feet, rail) in enumerate(zip(wanted, machine.rails, strict=True)):
-        targets[..., k] = np.clip(sum(feet) / len(feet), 0, rail.length)
+        along, squares = zip(*feet, strict=True)
+        targets[..., k] = np.clip(sum(along) / sum(squares), 0, rail.length)
     return targets
 
 
-def _foot(span: Array, travel: Travel, resting: bool) -> list[Array]:
-    """Coordinates (...) of the foot of the perpendicular from start + span; see base_targets."""
-    along = [np.sum(span * direction, axis=-1) for _, direction in travel.directions]
-    if len(along) < 2:
-        return along
-    if resting:
-        return [along[0], np.zeros_like(along[1])]
-    cosine = np.sum(travel.directions[0][1] * travel.directions[1][1])
-    sine_square = (1 - cosine) * (1 + cosine)
-    u, v = along
-    return [(u - cosine * v) / sine_square, (v - cosine * u) / sine_square]
+def _across(vectors: Array, heading: Array) -> Array:
+    """The part of vectors (..., space) square to the heading (space); all of it without one."""
+    if not heading.size:
+        return vectors
+    heading = unit(heading)
+    return np.asarray(vectors - np.sum(vectors * heading, axis=-1)[..., None] * heading)
+
+
+def _feet(span: Array, ways: list[Array], resting: bool) -> list[tuple[Array, Array]]:
+    """Coordinates of the foot of the perpendicular from the end of span, each as a fraction."""
+    along = [np.asarray(np.sum(span * way, axis=-1)) for way in ways]
+    squares = [np.asarray(np.sum(way * way)) for way in ways]
+    if len(ways) < 2:
+        return list(zip(along, squares, strict=True))
+    cosine = np.sum(ways[0] * ways[1])
+    area = squares[0] * squares[1] - cosine * cosine
+    if resting or area < EDGE_ON:
+        return [(along[0], squares[0]), (np.zeros_like(along[1]), np.ones_like(area))]
+    (u, v), (uu, vv) = along, squares
+    return [(u * vv - cosine * v, area), (v * uu - cosine * u, area)]
 
 
 def base_pid(
