@@ -20,7 +20,6 @@ from model.workspace.words import pose_in_words
 
 Progress = Callable[[str, float], None]
 
-WITH_OUTLINES = ("force", "margin")  # the maps whose limit is what the outlines are about
 CIRCLE, SCREEN, CAPABLE = "#CC79A7", "#000000", "#56B4E9"
 POINTS = 60  # of an outline
 
@@ -71,7 +70,7 @@ def draw_maps(findings: Findings, lag: float, progress: Progress) -> list[tuple[
     pictures = []
     for number, (quantity, some) in enumerate(shown):
         progress("drawing", number / len(shown))
-        own = outlines if quantity.name in WITH_OUTLINES else []
+        own = outlines if quantity.name == "margin" else []
         pictures.append((quantity, draw(quantity, some, marks, own)))
     return pictures
 

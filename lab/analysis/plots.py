@@ -125,7 +125,7 @@ def draw(
 def _size(panels: Sequence[AnyPanel], rows: int, columns: int) -> tuple[float, float]:
     """Width and height [inches]: every row as high as its highest panel needs."""
     width = WIDTH if columns == 1 else columns * PANEL_WIDTH
-    across = (width - 1.3) / columns
+    across = (width - 1.1) / columns - 0.55
     shapes = [np.ptp(panel.plane.y) / max(np.ptp(panel.plane.x), 1e-9) for panel in panels]
     return width, MARGIN + rows * (across * max(shapes) + 0.4)
 

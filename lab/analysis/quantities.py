@@ -7,6 +7,7 @@ from lab.analysis.slices import LagPanel, Panel
 from model.machine import Machine
 from model.workspace.rows import Array
 
+NOTHING = 1e-9  # of T_max: a force below this is rounding
 MOST_TORQUE = 2.0  # of the motor's limit: more is shown as this much
 
 
@@ -27,7 +28,7 @@ def quantities(machine: Machine) -> tuple[Quantity, ...]:
             f"{name}: force to be had in every direction",
             "isotropic force $I_F$ [N]",
             _force,
-            "none: the cables cannot hold the platform",
+            "none in some direction",
             limit=force,
             limit_words=f"{force:.4g} N, wanted",
             low=0.0,
@@ -92,7 +93,7 @@ def lag_quantity(machine: Machine, lag: float) -> Quantity:
         f"{machine.name}: force in every direction, bases {lag * 1e3:.4g} mm behind",
         "isotropic force $I_F$ [N], worst direction of the lag",
         _late_force,
-        "none: the cables cannot hold the platform",
+        "none in some direction",
         limit=force,
         limit_words=f"{force:.4g} N, wanted",
         low=0.0,
@@ -100,11 +101,16 @@ def lag_quantity(machine: Machine, lag: float) -> Quantity:
 
 
 def _force(panel: Panel) -> Array:
-    return np.where(panel.quality.force > 0, panel.quality.force, np.nan)
+    return _some(panel.machine, panel.quality.force)
 
 
 def _late_force(panel: LagPanel) -> Array:
-    return np.where(panel.force > 0, panel.force, np.nan)
+    return _some(panel.machine, panel.force)
+
+
+def _some(machine: Machine, force: Array) -> Array:
+    """NaN where there is nothing but rounding."""
+    return np.where(force > NOTHING * machine.tension.max, force, np.nan)
 
 
 def _torque(machine: Machine, panel: Panel) -> Array:
