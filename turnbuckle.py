@@ -31,9 +31,20 @@ FAILED_CHECK, CANNOT, INTERRUPTED = 1, 2, 130
 LARGEST_SHARE, LARGEST_ULP = 9.99, 1e5
 
 MachineFile = Annotated[Path, typer.Argument(help="The machine file.", show_default=False)]
+
+
+def as_length(millimetres: float) -> float:
+    """Refuse what is no finite length."""
+    if not math.isfinite(millimetres):
+        raise typer.BadParameter("a finite number of millimetres is due")
+    return millimetres
+
+
 Lag = Annotated[
     float,
-    typer.Option(metavar="MM", min=0, max=1e6, help="How far late bases are behind the hand [mm]."),
+    typer.Option(
+        metavar="MM", min=0, callback=as_length, help="How far late bases are behind the hand."
+    ),
 ]
 
 app = typer.Typer(
@@ -371,7 +382,7 @@ def compare(
         with progress() as tell:
             comparison = put_side_by_side(machines, out, lag / 1e3, tell)
         names = comparison.names
-        show_rows(["changed key", *names], comparison.changes)
+        show_rows(["changed key", *names], comparison.changes or [("nothing", "", "")])
         show_rows(["", *names, "change"], comparison.rows)
         if out is not None:
             typer.echo(f"report: {out / 'report.md'}")
