@@ -30,6 +30,7 @@ WIDTH, PANEL_WIDTH, MARGIN = 6.3, 3.4, 1.3  # inches: of one map, of one of many
 TARGET = "#D55E00"
 COLOURS, LIMIT_WIDTH = "cividis", 2.2
 LINES = 6
+LEAST_SPAN = 1e-6  # of the colours: what differs less is rounding
 Strokes = list[AbstractPathEffect]
 OUTLINE: Strokes = [withStroke(linewidth=3.4, foreground="white")]
 DARK_OUTLINE: Strokes = [withStroke(linewidth=LIMIT_WIDTH + 1.6, foreground="black")]
@@ -96,8 +97,8 @@ def draw(
     marks: Sequence[Mark] = (),
     outlines: Sequence[Outline] = (),
 ) -> bytes:
-    """The map of a quantity as PNG, one axes a panel, with marks and outlines in each."""
-    columns = min(len(panels), 3)
+    """The map of a quantity as PNG, one axes a panel, a column for every plane."""
+    columns = len({panel.plane.axes for panel in panels})
     rows = -(-len(panels) // columns)
     span = _span(quantity, panels)
     with rc_context(PRINT):
@@ -111,12 +112,11 @@ def draw(
             for mark in marks:
                 _draw_mark(axes, panel.plane, mark)
             axes.set_title(panel.title)
-        for axes in grid.flat[len(panels) :]:
-            axes.set_visible(False)
         _draw_bar(figure, grid, quantity, span)
-        figure.suptitle(quantity.title, x=0.01, ha="left", fontsize=11.5, fontweight="bold")
+        title = {"x": 0.01, "y": 1.0, "ha": "left", "va": "bottom"}
+        figure.suptitle(quantity.title, fontsize=11.5, fontweight="bold", **title)
         handles = list(_legend(quantity, panels, marks, outlines))
-        figure.legend(handles=handles, loc="outside lower center", ncols=min(3, columns + 1))
+        figure.legend(handles=handles, loc="outside lower center", ncols=2 if columns == 1 else 3)
         stream = BytesIO()
         figure.savefig(stream, format="png", bbox_inches="tight", metadata={"Software": None})
     return stream.getvalue()
@@ -137,7 +137,9 @@ def _span(quantity: Quantity, panels: Sequence[AnyPanel]) -> Span:
     values = values[np.isfinite(values)]
     low = float(np.min(values)) if quantity.low is None else quantity.low
     high = float(np.max(values)) if quantity.high is None else quantity.high
-    return (low, high) if high - low > 1e-9 * max(abs(low), abs(high)) else (low, low + 1.0)
+    if high - low > LEAST_SPAN:
+        return low, high
+    return (low - 1.0 if quantity.low is None else low), high + 1.0
 
 
 def _draw_values(axes: Axes, quantity: Quantity, panel: AnyPanel, span: Span) -> None:
