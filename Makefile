@@ -17,7 +17,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence closed_l
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test figures bench lint lock clean distclean
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
 	@$(MAKE) --no-print-directory generate
@@ -70,6 +70,9 @@ demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 
 test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n 2 --dist worksteal $(TEST_FOLDERS)
+
+figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
+	$(VENV)/bin/python -m lab.figures
 
 bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
 	$(VENV)/bin/python -m lab.benchmark

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from codegen.composite import Item
 from codegen.double_double import DoubleDouble
 from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, Result, double_for, evaluate, extended
-from codegen.ir import Procedure, Routine
 from codegen.samples import Sampler
 from model.machine import Machine
 
@@ -45,7 +45,7 @@ class Accuracy:
     results: dict[str, dict[str, WorstCase]] = field(default_factory=dict)
 
 
-def measure(machine: Machine, routine: Routine | Procedure, seed: int = 1) -> Accuracy:
+def measure(machine: Machine, routine: Item, seed: int = 1) -> Accuracy:
     """Search the working domain for the largest errors of a routine."""
     sampler = Sampler(machine, seed, FIRST_POINTS)
     function = routine.function
@@ -61,7 +61,7 @@ def measure(machine: Machine, routine: Routine | Procedure, seed: int = 1) -> Ac
 class Search:
     """Random search with refinement around the worst points."""
 
-    def __init__(self, routine: Routine | Procedure, arithmetic: Arithmetic, seed: int) -> None:
+    def __init__(self, routine: Item, arithmetic: Arithmetic, seed: int) -> None:
         self.routine = routine
         self.arithmetic = arithmetic
         self.random = np.random.default_rng(seed)
@@ -132,7 +132,7 @@ class Search:
                 self.worst[output] = WorstCase(float(column[k]), self.worst[output].unit, place)
 
 
-def accepted(routine: Routine | Procedure, result: Result) -> NDArray[np.bool_]:
+def accepted(routine: Item, result: Result) -> NDArray[np.bool_]:
     """Points at which no fault is reported."""
     fine = np.ones(1, dtype=bool)
     for verdict, holds in zip(routine.function.verdicts, result.verdicts, strict=True):
@@ -153,4 +153,5 @@ def difference(computed: Array, exact: Array | DoubleDouble) -> Array:
     """|computed - exact| in double precision."""
     value = DoubleDouble(np.asarray(computed, dtype=np.float64))
     reference = exact if isinstance(exact, DoubleDouble) else DoubleDouble(exact)
-    return np.abs((value - reference).high)
+    with np.errstate(invalid="ignore"):
+        return np.abs((value - reference).high)

@@ -11,17 +11,17 @@ from pathlib import Path
 
 import numpy as np
 
-from codegen import accuracy, double_double, evaluate, ir, samples
+from codegen import accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples
 from codegen.accuracy import Accuracy, WorstCase, measure
-from codegen.ir import Procedure, Routine, fingerprint
+from codegen.composite import Item, fingerprint
 from model.machine import Machine
 
 #: Where measurements are kept between runs; safe to delete.
 CACHE = Path(__file__).parents[1] / "build" / "accuracy"
-_METHOD = (accuracy, double_double, evaluate, ir, samples)
+_METHOD = (accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples)
 
 
-def measured_accuracy(machine: Machine, routines: list[Routine | Procedure]) -> dict[str, Accuracy]:
+def measured_accuracy(machine: Machine, routines: list[Item]) -> dict[str, Accuracy]:
     """Accuracy of every routine by name, from the cache where it was measured before."""
     method = method_hash()
     paths = [CACHE / f"{key(machine, routine, method)}.json" for routine in routines]
@@ -36,12 +36,10 @@ def measured_accuracy(machine: Machine, routines: list[Routine | Procedure]) -> 
 
 #: What the processes of a measurement work on; they are forked with it, as CasADi's symbols cannot
 #: be sent to another process.
-_work: tuple[Machine, list[Routine | Procedure]] | None = None
+_work: tuple[Machine, list[Item]] | None = None
 
 
-def measure_all(
-    machine: Machine, routines: list[Routine | Procedure], numbers: list[int]
-) -> list[Accuracy]:
+def measure_all(machine: Machine, routines: list[Item], numbers: list[int]) -> list[Accuracy]:
     """Measure some of the routines, on all cores; the result does not depend on how many."""
     global _work
     _work = machine, routines
@@ -67,7 +65,7 @@ def method_hash() -> str:
     return hashlib.sha256((sources + np.__version__).encode()).hexdigest()
 
 
-def key(machine: Machine, routine: Routine | Procedure, method: str) -> str:
+def key(machine: Machine, routine: Item, method: str) -> str:
     """Identifies one measurement."""
     content = machine.model_dump_json(exclude={"path"})
     text = "\n".join((method, content, fingerprint(routine)))

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from codegen.print_c import literal
 from model.machine import Machine
+from model.symbolic.forward_kinematics import needs_guess
 
 
 @dataclass(frozen=True)
@@ -18,7 +19,15 @@ class Constant:
 
 def constants(machine: Machine) -> list[list[Constant]]:
     """All constants, in groups that belong together."""
-    groups = [sizes(machine), cycle(machine), cables(machine), rails(machine), observer(machine)]
+    groups = [
+        sizes(machine),
+        start(machine),
+        platform(machine),
+        cycle(machine),
+        cables(machine),
+        rails(machine),
+        observer(machine),
+    ]
     return [group for group in groups if group]
 
 
@@ -31,6 +40,27 @@ def sizes(machine: Machine) -> list[Constant]:
         Constant("TB_RAILS", str(rail_count), "movable bases"),
         Constant("TB_RAIL_SLOTS", str(max(1, rail_count)), "entries of an array of rails"),
         Constant("TB_WALLS", str(len(machine.walls)), "virtual walls"),
+    ]
+
+
+def start(machine: Machine) -> list[Constant]:
+    """Where the search for the pose begins, of machines whose pose has no closed form."""
+    if not needs_guess(machine):
+        return []
+    upright = [0.0] * (machine.dof - machine.space)
+    entries = ", ".join(literal(value) for value in [*machine.target.centre, *upright])
+    meaning = "the target's centre, upright: the first guess of the pose"
+    return [Constant("TB_START_POSE", f"{{{entries}}}", meaning)]
+
+
+def platform(machine: Machine) -> list[Constant]:
+    """How far from its centre a rigid platform is held."""
+    if not machine.is_rigid:
+        return []
+    longest = max(math.hypot(*anchor) for anchor in machine.anchors)
+    return [
+        Constant("TB_SPACE", str(machine.space), "entries of a pose that are a position"),
+        real("TB_LONGEST_ARM", longest, "m, from the platform's centre to its farthest anchor"),
     ]
 
 

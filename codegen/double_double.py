@@ -44,6 +44,13 @@ class DoubleDouble:
         self.high: Array = np.asarray(high, dtype=np.float64)
         self.low: Array = np.asarray(low, dtype=np.float64)
 
+    def spread(self, count: int) -> "DoubleDouble":
+        """One number as `count` equal ones; so many numbers as they are."""
+        return DoubleDouble(*(np.broadcast_to(part, (count,)) for part in (self.high, self.low)))
+
+    def __getitem__(self, places: NDArray[np.int_]) -> "DoubleDouble":
+        return DoubleDouble(self.high[places], self.low[places])
+
     def __neg__(self) -> "DoubleDouble":
         return DoubleDouble(-self.high, -self.low)
 

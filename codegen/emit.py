@@ -4,9 +4,13 @@ import textwrap
 from dataclasses import dataclass
 
 from codegen.accuracy import Accuracy, WorstCase
-from codegen.ir import Procedure, Routine, cost
+from codegen.chain import Chain, Link
+from codegen.composite import Item, Loop, Procedure, cost, most_steps, most_visits
+from codegen.enumeration import Enumeration
+from codegen.ir import Op, Routine
 from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
 from model.symbolic.function import Input, ModelFunction, Output, Status
+from model.symbolic.sweep import CHOSEN, NUMBERS
 
 #: Arguments with more entries than this are not listed where an error is worst.
 LONGEST_PLACE = 8
@@ -20,18 +24,169 @@ class CFunction:
     comment: str
     prototype: str
     body: str
+    parts: tuple["CFunction", ...] = ()
 
 
-def emit(item: Routine | Procedure, accuracy: Accuracy) -> CFunction:
+def emit(item: Item, accuracy: Accuracy) -> CFunction:
     """The C of one function."""
     function = item.function
-    lines = retry_body(item) if isinstance(item, Procedure) else body(item)
     return CFunction(
         f"tb_{function.name}",
         comment(item, accuracy),
         prototype(f"tb_{function.name}", function),
-        "\n".join(lines),
+        "\n".join(item_body(item)),
+        tuple(map(part, private(item))),
     )
+
+
+def item_body(item: Item) -> list[str]:
+    """The statements of a function."""
+    if isinstance(item, Procedure):
+        return retry_body(item)
+    if isinstance(item, Enumeration):
+        return sweep_body(item)
+    if isinstance(item, Chain):
+        return chain_body(item)
+    return loop_body(item) if isinstance(item, Loop) else body(item)
+
+
+def private(item: Item) -> list[Item]:
+    """The functions that only this one calls, and what only they call before them."""
+    own: list[Item] = []
+    if isinstance(item, Loop | Enumeration):
+        own += item.parts()
+    elif isinstance(item, Chain):
+        own += item.own()
+    return [part for called in own for part in (*private(called), called)]
+
+
+def part(item: Item) -> CFunction:
+    """An item that only the functions of its file call."""
+    function = item.function
+    text = f"{function.summary}."
+    return CFunction(
+        f"tb_{function.name}",
+        "\n * ".join(fill(text, "")),
+        f"static {prototype(f'tb_{function.name}', function)}",
+        "\n".join(item_body(item)),
+    )
+
+
+def loop_body(item: Loop) -> list[str]:
+    """Begin, step until that is done or fails, finish."""
+    function, done = item.function, item.done.name
+    begin, step, finish = (call(routine.function, {}) for routine in item.parts())
+    return [
+        *(f"    real_t {entry.name}[{entry.size}];" for entry in item.state),
+        f"    real_t {done}[1] = {{{literal(0.0)}}};",
+        *wrap(f"    tb_status status = {begin};", "    "),
+        f"    for (int steps = 0; steps < {item.repeat.most} && status == TB_OK"
+        f" && !({done}[0] > {literal(0.0)}); steps++) {{",
+        *wrap(f"        status = {step};", "        "),
+        "    }",
+        f"    if (status == TB_OK && !({done}[0] > {literal(0.0)})) {{",
+        "        status = TB_INACCURATE;",
+        "    }",
+        "    if (status != TB_OK) {",
+        *fallback("status", function),
+        "    }",
+        *wrap(f"    return {finish};", "    "),
+    ]
+
+
+def sweep_body(item: Enumeration) -> list[str]:
+    """Begin, visit every subset in the table, finish."""
+    subsets, function = item.sweep.subsets, item.function
+    begin, visit, finish = (call(routine.function, {}) for routine in item.parts())
+    rows = ", ".join(f"{{{','.join(map(str, subset))}}}" for subset in subsets)
+    table = f"subsets[{len(subsets)}][{len(subsets[0])}]"
+    lines = wrap(f"    static const unsigned char {table} = {{{rows}}};", "    ")
+    lines += [f"    real_t {entry.name}[{entry.size}];" for entry in item.state]
+    lines += wrap(f"    const tb_status status = {begin};", "    ")
+    lines += ["    if (status != TB_OK) {", *fallback("status", function), "    }"]
+    lines += [f"    for (int k = 0; k < {len(subsets)}; k++) {{", *gather(item)]
+    lines += wrap(f"        (void){visit};", "        ")
+    return [*lines, "    }", *wrap(f"    return {finish};", "    ")]
+
+
+def gather(item: Enumeration) -> list[str]:
+    """Copies what a visit reads of its subset."""
+    size = len(item.sweep.subsets[0])
+    rows, columns = item.matrix_shape
+    read = [port for port in item.visit.function.inputs if port.name in (CHOSEN, NUMBERS)]
+    lines = [f"        real_t {port.name}[{port.size}];" for port in read]
+    lines += [
+        f"        for (int j = 0; j < {size}; j++) {{",
+        "            const int number = subsets[k][j];",
+    ]
+    for port in read:
+        if port.name == NUMBERS:
+            lines.append(f"            {NUMBERS}[j] = (real_t)number;")
+        else:
+            lines += [
+                f"            for (int i = 0; i < {rows}; i++) {{",
+                f"                {CHOSEN}[{size} * i + j] = "
+                f"{item.sweep.matrix}[{columns} * i + number];",
+                "            }",
+            ]
+    return [*lines, "        }"]
+
+
+def chain_body(item: Chain) -> list[str]:
+    """Calls in sequence; the first fault ends it, and one infeasible answer is the answer."""
+    *earlier, last = item.links
+    unsure = [link for link in earlier if may_be_infeasible(link)]
+    lines = [
+        declaration(link, name, port) for link in earlier for name, port in link.gives().items()
+    ]
+    lines += ["    bool infeasible = false;"] if unsure else []
+    lines += ["    tb_status status;"] if unsure or any(map(may_fail, earlier)) else []
+    for link in earlier:
+        lines += link_lines(link, item.function, link in unsure)
+    answer = link_call(last)
+    if not unsure:
+        return [*lines, *wrap(f"    return {answer};", "    ")]
+    lines += wrap(f"    status = {answer};", "    ")
+    return [*lines, "    return status == TB_OK && infeasible ? TB_INFEASIBLE : status;"]
+
+
+def declaration(link: Link, name: str, port: Output) -> str:
+    """A result that later calls read; zero where the call may not be made."""
+    start = f" = {{{literal(0.0)}}}" if link.call.given else ""
+    return f"    real_t {name}[{port.size}]{start};"
+
+
+def link_lines(link: Link, function: ModelFunction, unsure: bool) -> list[str]:
+    """One call, and the way out where it fails."""
+    if not may_fail(link) and not unsure:
+        lines = wrap(f"    (void){link_call(link)};", "    ")
+    else:
+        lines = wrap(f"    status = {link_call(link)};", "    ")
+    if may_fail(link):
+        lines += ["    if (status > TB_INFEASIBLE) {", *fallback("status", function), "    }"]
+    if unsure:
+        lines.append("    infeasible = infeasible || status == TB_INFEASIBLE;")
+    if link.call.given:
+        condition = f"    if ({link.call.given}[0] > {literal(0.0)}) {{"
+        lines = [condition, *(f"    {line}" for line in lines), "    }"]
+    return lines
+
+
+def link_call(link: Link) -> str:
+    """The call with the chain's own names."""
+    return call(link.item.function, dict(link.call.renamed))
+
+
+def may_fail(link: Link) -> bool:
+    """Whether the function may answer that its results are no use."""
+    function = link.item.function
+    guards = any(port.guarded and port.size for port in function.inputs)
+    return guards or any(verdict.is_fault for verdict in function.verdicts)
+
+
+def may_be_infeasible(link: Link) -> bool:
+    """Whether the function may answer TB_INFEASIBLE."""
+    return not all(verdict.is_fault for verdict in link.item.function.verdicts)
 
 
 def retry_body(item: Procedure) -> list[str]:
@@ -46,11 +201,13 @@ def retry_body(item: Procedure) -> list[str]:
         *wrap(f"    const tb_status verdict = {call(second, {})};", "    "),
     ]
     argument = first.inputs[item.replaced].name
+    may_fail = any(verdict.is_fault for verdict in second.verdicts)
+    usable = " && verdict <= TB_INFEASIBLE" if may_fail else ""
     for number, served in enumerate(second.outputs):
         for attempt in item.attempts:
             # The first attempt has failed at the wanted argument already.
             another = number or attempt is item.attempts[0]
-            allowed = " && verdict == TB_INFEASIBLE" if another else ""
+            allowed = " && verdict == TB_INFEASIBLE" if another else usable
             again = call(attempt.function, {argument: served.name})
             lines += [
                 f"    if (status == TB_INACCURATE{allowed}) {{",
@@ -66,7 +223,7 @@ def call(function: ModelFunction, replaced: dict[str, str]) -> str:
     return f"tb_{function.name}({', '.join(names)})"
 
 
-def emit_alias(name: str, routine: Routine | Procedure) -> CFunction:
+def emit_alias(name: str, routine: Item) -> CFunction:
     """A function that is another one under a second name."""
     function = routine.function
     line = f"    return {call(function, {})};"
@@ -79,19 +236,23 @@ def emit_alias(name: str, routine: Routine | Procedure) -> CFunction:
 
 
 def argument_names(function: ModelFunction) -> list[str]:
-    """Names of arguments and results in the order of the C function."""
-    return [a.name for a in function.inputs] + [result.name for result in function.outputs]
+    """Names of arguments and results in the order of the C function; what is both comes once."""
+    return list(dict.fromkeys(port.name for port in function.ports))
 
 
 def prototype(name: str, function: ModelFunction) -> str:
     """Declaration without the semicolon."""
-    arguments = [f"const real_t {port.name}[{max(1, port.size)}]" for port in function.inputs]
-    arguments += [f"real_t {port.name}[{port.size}]" for port in function.outputs]
-    lines = wrap(f"tb_status {name}({', '.join(arguments)})", "")
+    results = {port.name: f"real_t {port.name}[{port.size}]" for port in function.outputs}
+    arguments = {
+        port.name: results.get(port.name, f"const real_t {port.name}[{max(1, port.size)}]")
+        for port in function.inputs
+    }
+    parameters = list((arguments | results).values())
+    lines = wrap(f"tb_status {name}({', '.join(parameters)})", "")
     return "\n".join(lines)
 
 
-def comment(routine: Routine | Procedure, accuracy: Accuracy) -> str:
+def comment(routine: Item, accuracy: Accuracy) -> str:
     """What a user of the function must know: meaning, units, domain, accuracy, cost."""
     function = routine.function
     lines = fill(f"{function.summary}  ({function.source}).", "")
@@ -99,7 +260,13 @@ def comment(routine: Routine | Procedure, accuracy: Accuracy) -> str:
     lines += domain(function)
     lines += worst(accuracy)
     counts = ", ".join(f"{count} {name}" for name, count in cost(routine).items())
-    lines += fill(f"Cost, all branches: {counts or 'none'}.", "")
+    steps, visits = most_steps(routine), most_visits(routine)
+    if steps:
+        lines += fill(f"At most {steps} steps.", "")
+    if visits:
+        lines += fill(f"Visits {visits} subsets of the cables.", "")
+    scope = "all branches and steps" if steps or visits else "all branches"
+    lines += fill(f"Cost, {scope}: {counts or 'none'}.", "")
     return "\n *  ".join(lines)
 
 
@@ -118,8 +285,9 @@ def domain(function: ModelFunction) -> list[str]:
     for port in function.inputs:
         if port.size and port.guarded:
             lines += fill(f"Domain: {port.name} {span(port)}, else TB_OUT_OF_DOMAIN.", "")
-    for verdict in function.verdicts:
-        lines += fill(f"TB_{verdict.status.name}: {verdict.meaning}.", "")
+    # the parts of a loop may refuse for the same reason
+    for text in dict.fromkeys(f"TB_{v.status.name}: {v.meaning}." for v in function.verdicts):
+        lines += fill(text, "")
     return lines
 
 
@@ -168,16 +336,45 @@ def body(routine: Routine) -> list[str]:
     """Guards, then the computation, then the verdicts."""
     printer = Printer(routine)
     function = routine.function
-    lines = [f"    (void){port.name};" for port in function.inputs if not port.size]
+    lines = [f"    (void){port.name};" for port in ignored(routine)]
     lines += guard(function)
     lines += printer.body()
     for verdict, number in zip(function.verdicts, routine.verdicts, strict=True):
         if verdict.is_fault:
             lines += refusal(printer.result(number), verdict.status, function)
-    for output, numbers in zip(function.outputs, routine.outputs, strict=True):
-        for entry, number in enumerate(numbers):
-            lines += wrap(f"    {output.name}[{entry}] = {printer.result(number)};", "    ")
-    return [*lines, *answer(routine, printer)]
+    return [*lines, *results(routine, printer), *answer(routine, printer)]
+
+
+def ignored(routine: Routine) -> list[Input]:
+    """Arguments that nothing reads."""
+    entries = {
+        routine.nodes[number].entry[0]
+        for number in routine.needed()
+        if routine.nodes[number].op is Op.INPUT
+    }
+    return [
+        port
+        for place, port in enumerate(routine.function.inputs)
+        if not port.size or (place not in entries and not port.guarded)
+    ]
+
+
+def results(routine: Routine, printer: Printer) -> list[str]:
+    """Gives every output its value; what an output overwrites and another one needs is kept."""
+    targets = [
+        (f"{output.name}[{entry}]", printer.result(number))
+        for output, numbers in zip(routine.function.outputs, routine.outputs, strict=True)
+        for entry, number in enumerate(numbers)
+    ]
+    moved = [(target, value) for target, value in targets if target != value]
+    overwritten = {target for target, _ in moved}
+    kept = {
+        value: f"old_{value[:-1].replace('[', '_')}" for _, value in moved if value in overwritten
+    }
+    lines = [f"    const real_t {name} = {value};" for value, name in kept.items()]
+    for target, value in moved:
+        lines += wrap(f"    {target} = {kept.get(value, value)};", "    ")
+    return lines
 
 
 def answer(routine: Routine, printer: Printer) -> list[str]:
@@ -200,7 +397,7 @@ def guard(function: ModelFunction) -> list[str]:
     for test in tests:
         lines += wrap(f"          && {test}" if lines else f"    if (!({test}", "          ")
     lines[-1] += ")) {"
-    return [*lines, *fallback(Status.OUT_OF_DOMAIN, function), "    }"]
+    return [*lines, *fallback("TB_OUT_OF_DOMAIN", function), "    }"]
 
 
 def domain_tests(port: Input) -> list[str]:
@@ -219,14 +416,15 @@ def domain_tests(port: Input) -> list[str]:
 
 def refusal(condition: str, status: Status, function: ModelFunction) -> list[str]:
     """Returns the fallback where a condition holds."""
-    return [*wrap(f"    if ({condition}) {{", "    "), *fallback(status, function), "    }"]
+    answered = fallback(f"TB_{status.name}", function)
+    return [*wrap(f"    if ({condition}) {{", "    "), *answered, "    }"]
 
 
-def fallback(status: Status, function: ModelFunction) -> list[str]:
+def fallback(status: str, function: ModelFunction) -> list[str]:
     """Statements that give every output its fallback and return."""
     lines = [
         f"        {output.name}[{entry}] = {literal(output.fallback)};"
         for output in function.outputs
         for entry in range(output.size)
     ]
-    return [*lines, f"        return TB_{status.name};"]
+    return [*lines, f"        return {status};"]

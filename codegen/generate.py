@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,29 +11,29 @@ import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
+from codegen.chain import Chain, chain
+from codegen.composite import Item, Procedure, fingerprint, loop
 from codegen.constants import constants
 from codegen.emit import CFunction, emit, emit_alias
+from codegen.enumeration import enumeration
 from codegen.folder import write_folder
-from codegen.ir import Procedure, Routine, fingerprint
+from codegen.ir import Routine
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
-from model.symbolic.function import Input, Output, Status
-from model.symbolic.topics import TOPICS, model_functions, model_procedures
+from model.symbolic.composition import Composite, Composition
+from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
+from model.symbolic.sweep import Sweep
+from model.symbolic.topics import TOPICS, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
-#: The tension solver unrolls one level a redundant cable; beyond this the C grows out of hand.
-LARGEST_REDUNDANCY = 4
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
 
 
 class GenerateError(Exception):
     """The C cannot be written; the text says what stands in the way."""
-
-
-Item = Routine | Procedure
 
 
 @dataclass(frozen=True)
@@ -53,30 +53,36 @@ class Model:
 
 
 def build_model(machine: Machine) -> Model:
-    """Lower and simplify every function of the machine.
-
-    Raises GenerateError for more cables than this version distributes tensions over.
-    """
-    if machine.redundancy > LARGEST_REDUNDANCY:
-        raise GenerateError(
-            f"{machine.path}: cable: found {len(machine.cables)} cables; allowed: up to "
-            f"{machine.dof + LARGEST_REDUNDANCY} in this version, for a platform with "
-            f"{machine.dof} degrees of freedom"
-        )
+    """Lower and simplify every function of the machine."""
     routines = {
-        topic: [simplify(lower(function)) for function in functions]
+        topic: [lowered(function) for function in functions]
         for topic, functions in model_functions(machine).items()
     }
-    by_name = {r.function.name: r for group in routines.values() for r in group}
     topics: dict[str, list[Item]] = {topic: [*group] for topic, group in routines.items()}
-    for topic, retries in model_procedures(machine).items():
-        topics[topic] += [
-            Procedure(
-                retry, tuple(by_name[name] for name in retry.attempts), by_name[retry.substitute]
-            )
-            for retry in retries
-        ]
+    known = {item.function.name: item for group in topics.values() for item in group}
+    for topic, composites in model_composites(machine).items():
+        for composite in composites:
+            item = composed(composite, known)
+            known[composite.name] = item
+            topics[topic].append(item)
     return Model(machine, topics)
+
+
+def composed(composite: Composite, known: dict[str, Item]) -> Item:
+    """A function made of others: of those that are known, or of its own parts."""
+    if isinstance(composite, Repeat):
+        return loop(composite, lowered)
+    if isinstance(composite, Sweep):
+        return enumeration(composite, lowered)
+    if isinstance(composite, Composition):
+        return chain(composite, known, lowered)
+    attempts = tuple(known[name] for name in composite.attempts)
+    return Procedure(composite, attempts, known[composite.substitute])
+
+
+def lowered(function: ModelFunction) -> Routine:
+    """A model function ready to print."""
+    return simplify(lower(function))
 
 
 def machine_hash(model: Model) -> str:
@@ -120,6 +126,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
             "header": f"tb_{topic}.h",
             "subject": f"{TOPICS[topic][0].capitalize()} of {machine.name}.",
             "functions": c_functions(model, routines, accuracies),
+            "includes": [f"tb_{other}.h" for other in called_topics(model, topic)],
         }
         for kind in ("h", "c"):
             template = environment.get_template(f"topic.{kind}.jinja")
@@ -128,15 +135,35 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
     return files
 
 
+def called_topics(model: Model, topic: str) -> list[str]:
+    """The other topics whose functions those of a topic call."""
+    homes = {item.function.name: home for home, items in model.topics.items() for item in items}
+    chains = [item for item in model.topics[topic] if isinstance(item, Chain)]
+    called = {homes[name] for item in chains for name in item.called()}
+    return sorted(called - {topic})
+
+
 def c_functions(
     model: Model, routines: list[Item], accuracies: dict[str, Accuracy]
 ) -> list[CFunction]:
     """The C of one topic, with its aliases last."""
-    functions = [emit(routine, accuracies[routine.function.name]) for routine in routines]
+    functions = once([emit(routine, accuracies[routine.function.name]) for routine in routines])
     by_name = {routine.function.name: routine for routine in routines}
     for alias, target in model.aliases().items():
         if target in by_name:
             functions.append(emit_alias(alias, by_name[target]))
+    return functions
+
+
+def once(functions: list[CFunction]) -> list[CFunction]:
+    """The functions of one file; what several of them call alone comes with the first of these."""
+    printed: dict[str, CFunction] = {}
+    for number, function in enumerate(functions):
+        fresh = tuple(part for part in function.parts if printed.get(part.name) != part)
+        if clash := printed.keys() & {part.name for part in fresh}:
+            raise ValueError(f"{min(clash)} stands for two functions")
+        printed |= {part.name: part for part in fresh}
+        functions[number] = replace(function, parts=fresh)
     return functions
 
 

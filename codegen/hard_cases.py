@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from codegen.samples import Sampler
 from model.machine import Machine
-from model.symbolic import kinematics
+from model.symbolic import kinematic_functions
 from model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
@@ -49,7 +49,9 @@ class HardSampler(Sampler):
     def move_to_a_pulley(self, rows: slice) -> None:
         """The platform, or one of its anchors, at a pulley, within the frame."""
         anchors = np.array(self.machine.anchors)
-        arms = self.modelled_points(kinematics.base_points_function(self.machine), [self.rails])
+        arms = self.modelled_points(
+            kinematic_functions.base_points_function(self.machine), [self.rails]
+        )
         points = (arms - anchors)[rows]
         space = self.machine.space
         chosen = points[

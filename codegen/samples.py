@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from codegen.evaluate import DOUBLE, evaluate
 from codegen.lower import lower
 from model.machine import Machine
-from model.symbolic import control, kinematics
+from model.symbolic import base_targets, kinematic_functions
 from model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
@@ -44,8 +44,8 @@ class Sampler:
         """Lengths and structure at the poses; zero where the platform is at a pulley."""
         at = [self.pose, self.rails]
         shape = (self.count, self.machine.dof, len(self.machine.cables))
-        self.lengths = self.modelled(kinematics.cable_lengths_function(self.machine), at)
-        structure = self.modelled(kinematics.structure_matrix_function(self.machine), at)
+        self.lengths = self.modelled(kinematic_functions.cable_lengths_function(self.machine), at)
+        structure = self.modelled(kinematic_functions.structure_matrix_function(self.machine), at)
         self.structure = structure.reshape(shape)
 
     def modelled(self, function: ModelFunction, arguments: Sequence[Array]) -> Array:
@@ -84,7 +84,7 @@ class Sampler:
         anywhere = self.box([0.0] * len(lengths), lengths)
         if not lengths:
             return anywhere
-        tracking = self.modelled(control.base_targets_function(self.machine), [self.pose])
+        tracking = self.modelled(base_targets.base_targets_function(self.machine), [self.pose])
         follows = self.random.random((self.count, 1)) < TRACKING_SHARE
         return np.where(follows, tracking, anywhere)
 
@@ -117,6 +117,11 @@ class Sampler:
         return self.pose + self.symmetric(self.machine.dof, 1.0) * np.where(
             moments, GUESS_ROTATION, reach
         )
+
+    def forces(self, size: int) -> Array:
+        """Sizes of forces, from a hundredth of T_max to twice that."""
+        most = self.machine.tension.max
+        return self.box([0.01 * most] * size, [2 * most] * size)
 
     def memory(self, columns: Sequence[float], count: int) -> Array:
         """Remembered quantities, each column within its own bound."""
@@ -160,6 +165,7 @@ _BY_NAME: dict[str, Callable[[Sampler, int], Array]] = {
     "wrench": lambda s, _: s.wrenches(),
     "hand_force": lambda s, size: s.symmetric(size, s.machine.tension.max) * s.levers(),
     "guess": lambda s, _: s.guesses(),
+    "force": lambda s, size: s.forces(size),
     "velocity": lambda s, size: s.symmetric(size, 1.0),
     "length_rates": lambda s, size: s.symmetric(size, 1.0),
     "rail_rates": lambda s, size: s.symmetric(size, 1.0),

@@ -2,7 +2,7 @@
 
 The arguments are those of operation (codegen.samples), hard ones (codegen.hard_cases) and broken
 ones: NaN, infinities and huge numbers, which must be refused with the function's fallback. The
-reference gets the very numbers the C got, in long double; codegen.expectation says what it expects
+reference gets the very numbers the C got, in long double; codegen.judges says what it expects
 and how nearly.
 """
 
@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
 from codegen.bind import REALS, Generated, GeneratedFunction, folder_of
-from codegen.expectation import JUDGES, Bools, Expected, Problem
 from codegen.generate import Model, build_model, render
 from codegen.hard_cases import HardSampler
+from codegen.judges import JUDGES
+from codegen.judges.problem import Bools, Expected, Problem
 from codegen.samples import Sampler
 from model.machine import Machine, load_machine
 from model.reference.control import disturbance_sequence

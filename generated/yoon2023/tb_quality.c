@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 0e7277466760bf7b, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5d3a4e87e1b79b87, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
@@ -667,6 +667,507 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
     }
     force[0] = force_0;
     return t34 ? TB_INFEASIBLE : TB_OK;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1], real_t
+    factor[1], real_t force[1])
+{
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
+          && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
+              TB_C(5.6944))) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = rails[0] - pose[0];
+    /* l_i = |b_i - c|, Yoon eq. 18 */
+    const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
+    const real_t t1 = TB_C(1.0) / length_0;
+    const real_t t2 = t0 * t1;
+    const real_t t3 = rails[1] - pose[1];
+    const real_t t4 = TB_C(0.7118) - pose[0];
+    const real_t length_1 = TB_SQRT(t4 * t4 + t3 * t3);
+    const real_t t5 = TB_C(1.0) / length_1;
+    const real_t t6 = t3 * t5;
+    const real_t t7 = pose[1] * t1;
+    const real_t t8 = t4 * t5;
+    const real_t t9 = t2 * t6 + t7 * t8;
+    const real_t t10 = TB_ABS(t9);
+    const real_t t11 = TB_C(0.4618) - pose[1];
+    const real_t t12 = rails[2] - pose[0];
+    const real_t length_2 = TB_SQRT(t12 * t12 + t11 * t11);
+    const real_t t13 = TB_C(1.0) / length_2;
+    const real_t t14 = t11 * t13;
+    const real_t t15 = t12 * t13;
+    const real_t t16 = t2 * t14 + t7 * t15;
+    const real_t t17 = TB_ABS(t16);
+    const real_t t18 = rails[3] - pose[1];
+    const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t18 * t18);
+    const real_t t19 = TB_C(1.0) / length_3;
+    const real_t t20 = t18 * t19;
+    const real_t t21 = pose[0] * t19;
+    const real_t t22 = t2 * t20 - t7 * t21;
+    const real_t t23 = TB_ABS(t22);
+    const real_t t24 = TB_C(6.5) * (t20 + (t14 + (t6 - t7)));
+    const real_t t25 = TB_C(6.5) * (t15 + (t2 + t8) - t21);
+    const real_t t26 = t2 * t24 + t7 * t25;
+    const real_t t27 = t8 * t14 - t6 * t15;
+    const real_t t28 = TB_ABS(t27);
+    const real_t t29 = t8 * t20 + t6 * t21;
+    const real_t t30 = TB_ABS(t29);
+    const real_t t31 = t8 * t24 - t6 * t25;
+    const real_t t32 = tb_min(TB_C(3.5) * (t10 + t17 + t23) - TB_ABS(t26), TB_C(3.5) * (t10 +
+        t28 + t30) - TB_ABS(t31));
+    const real_t t33 = t15 * t20 + t14 * t21;
+    const real_t t34 = TB_ABS(t33);
+    const real_t t35 = t15 * t24 - t14 * t25;
+    const real_t t36 = tb_min(t32, TB_C(3.5) * (t17 + t28 + t34) - TB_ABS(t35));
+    const real_t t37 = t21 * t24 + t20 * t25;
+    const real_t margin_0 = tb_min(t36, TB_C(3.5) * (t34 + (t23 + t30)) - TB_ABS(t37));
+    const bool t38 = TB_C(0.0) <= margin_0;
+    real_t factor_0, t39;
+    if (t38) {
+        const real_t t40 = TB_C(0.46153846153846156) * tb_max(TB_ABS(t25), TB_ABS(t24));
+        const real_t t41 = TB_C(120.0) * TB_EPSILON;
+        const bool t42 = t40 <= t41;
+        real_t t43, t44, t45, t46, t47, t48, t49, t50, t51, t52;
+        if (t42) {
+            t43 = TB_C(0.0);
+            t44 = TB_C(0.0);
+            t45 = TB_C(0.0);
+            t46 = TB_C(0.0);
+            t47 = TB_C(0.0);
+            t48 = TB_C(0.0);
+            t49 = TB_C(0.0);
+            t50 = TB_C(0.0);
+            t51 = TB_C(0.0);
+            t52 = TB_C(0.0);
+        } else {
+            const real_t t53 = t7 * t24 - t2 * t25;
+            const real_t t54 = TB_C(0.0) <= t26 ? t53 : -TB_C(1e+30);
+            const real_t t55 = -(t8 * t25 + t6 * t24);
+            const real_t t56 = TB_C(0.0) <= t31 ? t55 : -TB_C(1e+30);
+            const real_t t57 = tb_max(t54, t56);
+            const real_t t58 = -(t15 * t25 + t14 * t24);
+            const real_t t59 = TB_C(0.0) <= t35 ? t58 : -TB_C(1e+30);
+            const real_t t60 = -t37;
+            const real_t t61 = t21 * t25 - t20 * t24;
+            const bool t62 = tb_max(t57, t59) < (TB_C(0.0) <= t60 ? t61 : -TB_C(1e+30));
+            const real_t t63 = -t21;
+            const real_t t64 = -t7;
+            real_t t65, t66;
+            if (t62) {
+                t65 = t63;
+                t66 = t20;
+            } else {
+                const bool t67 = t57 < t59;
+                const bool t68 = t54 < t56;
+                t65 = t67 ? t15 : (t68 ? t8 : t2);
+                t66 = t67 ? t14 : (t68 ? t6 : t64);
+            }
+            const real_t t69 = TB_C(0.46153846153846156) * (t24 * t65 - t25 * t66);
+            const real_t t70 = t26 < TB_C(0.0) ? t53 : -TB_C(1e+30);
+            const real_t t71 = t31 < TB_C(0.0) ? t55 : -TB_C(1e+30);
+            const real_t t72 = tb_max(t70, t71);
+            const real_t t73 = t35 < TB_C(0.0) ? t58 : -TB_C(1e+30);
+            const bool t74 = tb_max(t72, t73) < (t60 < TB_C(0.0) ? t61 : -TB_C(1e+30));
+            real_t t75, t76;
+            if (t74) {
+                t75 = t63;
+                t76 = t20;
+            } else {
+                const bool t77 = t72 < t73;
+                const bool t78 = t70 < t71;
+                t75 = t77 ? t15 : (t78 ? t8 : t2);
+                t76 = t77 ? t14 : (t78 ? t6 : t64);
+            }
+            const real_t t79 = TB_C(1.0) / (t66 * t75 - t65 * t76);
+            const real_t t80 = TB_C(3.0) + t69 * t79;
+            const real_t t81 = TB_C(0.46153846153846156) * (t24 * t75 - t25 * t76);
+            const real_t t82 = TB_C(3.0) - t79 * t81;
+            const real_t t83 = t79 * (t66 * t80 - t76 * t82);
+            const real_t t84 = t79 * (t75 * t82 - t65 * t80);
+            t43 = t2 * t83;
+            t44 = -(t7 * t84);
+            t45 = t8 * t83;
+            t46 = t6 * t84;
+            t47 = t15 * t83;
+            t48 = t14 * t84;
+            t49 = -(t21 * t83);
+            t50 = t20 * t84;
+            t51 = t83;
+            t52 = t84;
+        }
+        const real_t t85 = t43 + t44;
+        const real_t t86 = tb_min(tb_max(t85, TB_C(3.0)), TB_C(10.0));
+        const real_t t87 = t45 + t46;
+        const real_t t88 = tb_min(tb_max(t87, TB_C(3.0)), TB_C(10.0));
+        const real_t t89 = t47 + t48;
+        const real_t t90 = tb_min(tb_max(t89, TB_C(3.0)), TB_C(10.0));
+        const real_t t91 = t49 + t50;
+        const real_t t92 = tb_min(tb_max(t91, TB_C(3.0)), TB_C(10.0));
+        const real_t t93 = t2 * t86 + t8 * t88 + t15 * t90 - t21 * t92;
+        const real_t t94 = t6 * t88 - t7 * t86 + t14 * t90 + t20 * t92;
+        const bool t95 = tb_max(TB_ABS(t93), TB_ABS(t94)) - t41 <= TB_C(0.0);
+        real_t t96, t97;
+        if (t95) {
+            const real_t t98 = tb_min(tb_min(tb_min(t86, t88), t90), t92) /
+                tb_max(tb_max(tb_max(t86, t88), t90), t92);
+            t96 = t98;
+            t97 = TB_C(0.0);
+        } else {
+            const bool t99 = TB_C(3.0) < t85 && t85 < TB_C(10.0);
+            const real_t t100 = t2 * t2;
+            const bool t101 = TB_C(3.0) < t87 && t87 < TB_C(10.0);
+            const real_t t102 = t8 * t8;
+            const real_t t103 = (t99 ? t100 : TB_C(0.0)) + (t101 ? t102 : TB_C(0.0));
+            const bool t104 = TB_C(3.0) < t89 && t89 < TB_C(10.0);
+            const real_t t105 = t15 * t15;
+            const bool t106 = TB_C(3.0) < t91 && t91 < TB_C(10.0);
+            const real_t t107 = t21 * t21;
+            const real_t t108 = t103 + (t104 ? t105 : TB_C(0.0)) + (t106 ? t107 : TB_C(0.0));
+            const real_t t109 = TB_C(1.0) / t108;
+            const real_t t110 = t6 * t8;
+            const real_t t111 = (t99 ? -(t2 * t7) : TB_C(0.0)) + (t101 ? t110 : TB_C(0.0));
+            const real_t t112 = t14 * t15;
+            const real_t t113 = t20 * t21;
+            const real_t t114 = t111 + (t104 ? t112 : TB_C(0.0)) + (t106 ? -t113 : TB_C(0.0));
+            const real_t t115 = t109 * t114;
+            const real_t t116 = (t99 ? t7 * t7 : TB_C(0.0)) + (t101 ? t6 * t6 : TB_C(0.0));
+            const real_t t117 = t116 + (t104 ? t14 * t14 : TB_C(0.0)) + (t106 ? t20 * t20 :
+                TB_C(0.0));
+            const real_t t118 = (t94 - t93 * t115) / (t117 - t108 * (t115 * t115));
+            const real_t t119 = t51 - (t93 * t109 - t115 * t118);
+            const real_t t120 = t52 - t118;
+            const real_t t121 = tb_min(tb_max(t2 * t119 - t7 * t120, TB_C(3.0)), TB_C(10.0));
+            const real_t t122 = tb_min(tb_max(t8 * t119 + t6 * t120, TB_C(3.0)), TB_C(10.0));
+            const real_t t123 = tb_min(tb_max(t15 * t119 + t14 * t120, TB_C(3.0)), TB_C(10.0));
+            const real_t t124 = tb_min(tb_max(t20 * t120 - t21 * t119, TB_C(3.0)), TB_C(10.0));
+            const real_t t125 = TB_ABS(t2 * t121 + t8 * t122 + t15 * t123 - t21 * t124);
+            const real_t t126 = TB_ABS(t6 * t122 - t7 * t121 + t14 * t123 + t20 * t124);
+            const bool t127 = tb_max(t125, t126) - t41 <= TB_C(0.0);
+            real_t t128, t129;
+            if (t127) {
+                const real_t t130 = tb_min(tb_min(tb_min(t121, t122), t123), t124) /
+                    tb_max(tb_max(tb_max(t121, t122), t123), t124);
+                t128 = t130;
+                t129 = TB_C(0.0);
+            } else {
+                const real_t t131 = TB_SQRT(t107 + (t105 + (t100 + t102)));
+                const real_t t132 = TB_COPYSIGN(t131, t2);
+                const real_t t133 = t2 + t132;
+                const real_t t134 = TB_C(1.0) / (t131 * (t131 + TB_ABS(t2)));
+                const real_t t135 = (t112 + (t110 - t7 * t133) - t113) * t134;
+                const real_t t136 = t6 - t8 * t135;
+                const real_t t137 = t14 - t15 * t135;
+                const real_t t138 = t20 + t21 * t135;
+                const real_t t139 = TB_SQRT(t136 * t136 + t137 * t137 + t138 * t138);
+                const real_t t140 = TB_COPYSIGN(t139, t136);
+                const real_t t141 = TB_C(1.0) / tb_min(TB_ABS(t132), TB_ABS(t140));
+                const real_t t142 = TB_EPSILON * TB_C(30.0) * t141;
+                const real_t t143 = TB_C(3.0) - t142;
+                const real_t t144 = TB_C(1.0) / (t139 * (t139 + TB_ABS(t136)));
+                const real_t t145 = t137 * t144;
+                const real_t t146 = TB_C(1.0) - t137 * t145;
+                const real_t t147 = t136 + t140;
+                const real_t t148 = t145 * t147;
+                const real_t t149 = t138 * t145;
+                const real_t t150 = t134 * (t15 * t146 - t8 * t148 + t21 * t149);
+                const real_t t151 = t133 * t150;
+                const real_t t152 = t148 + t8 * t150;
+                const real_t t153 = t138 * t144;
+                const real_t t154 = t147 * t153;
+                const real_t t155 = t137 * t153;
+                const real_t t156 = TB_C(1.0) - t138 * t153;
+                const real_t t157 = t134 * (t8 * t154 + t15 * t155 + t21 * t156);
+                const real_t t158 = t133 * t157;
+                const real_t t159 = t8 * t157 - t154;
+                const real_t t160 = t151 * t152 + t158 * t159;
+                const real_t t161 = t142 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+                const real_t t162 = t161 / tb_max(t151 * t151 + t158 * t158, TB_EPSILON);
+                const real_t t163 = t160 * t162;
+                const real_t t164 = TB_C(10.0) + t142;
+                const real_t t165 = tb_max(t143 - t163, t163 - t164);
+                const bool t166 = TB_C(0.0) < t165;
+                const real_t t167 = t15 * t157 - t155;
+                const real_t t168 = t146 - t15 * t150;
+                const real_t t169 = t159 * t167 - t152 * t168;
+                const real_t t170 = t152 * t167 + t159 * t168;
+                const real_t t171 = TB_EPSILON * TB_C(16.0);
+                const real_t t172 = t158 * t167 - t151 * t168;
+                const real_t t173 = t156 - t21 * t157;
+                const real_t t174 = t21 * t150 - t149;
+                const real_t t175 = t159 * t173 - t152 * t174;
+                const real_t t176 = t152 * t173 + t159 * t174;
+                const real_t t177 = t158 * t173 - t151 * t174;
+                const real_t t178 = t142 * TB_C(2.0);
+                const real_t t179 = t142 * TB_C(1024.0);
+                real_t t180, t181, t182, t183, t184;
+                if (t166) {
+                    const real_t t185 = tb_min(tb_max(t163, TB_C(3.0)), TB_C(10.0));
+                    const real_t t186 = TB_C(1.0) / tb_max(t152 * t152 + t159 * t159,
+                        TB_EPSILON);
+                    const real_t t187 = t185 * t186;
+                    const real_t t188 = t151 * t159 - t152 * t158;
+                    const bool t189 = TB_ABS(t188) <= t171;
+                    const real_t t190 = t160 * t187;
+                    const real_t t191 = TB_C(1.0) / t188;
+                    real_t t192, t193;
+                    if (t189) {
+                        t192 = -TB_C(1000000000000.0);
+                        t193 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t194 = (t143 - t190) * t191;
+                        const real_t t195 = t191 * (t164 - t190);
+                        t192 = tb_min(t194, t195);
+                        t193 = tb_max(t194, t195);
+                    }
+                    const real_t t196 = tb_min(tb_max(TB_C(0.0), t192), t193);
+                    const real_t t197 = TB_C(0.0) < TB_ABS(t196) ? t196 * (t160 * t191) :
+                        TB_C(0.0);
+                    const real_t t198 = t163 < t185 ? t197 - t187 : t187 - t197;
+                    real_t t199;
+                    if (TB_C(0.0) < t198) {
+                        const real_t t200 = t189 ? TB_C(0.0) : t178 * TB_ABS(t191);
+                        const real_t t201 = t192 + t200 < t193 - t200 && t179 < t165 ? t198 :
+                            TB_C(0.0);
+                        t199 = t201;
+                    } else {
+                        t199 = TB_C(0.0);
+                    }
+                    t180 = t169 * t187 - t170 * t196;
+                    t181 = t187 * t175 - t196 * t176;
+                    t182 = t190 + t188 * t196;
+                    t183 = t185;
+                    t184 = t199;
+                } else {
+                    t180 = t162 * t172;
+                    t181 = t162 * t177;
+                    t182 = t161;
+                    t183 = t163;
+                    t184 = TB_C(0.0);
+                }
+                const real_t t202 = tb_max(t143 - t180, t180 - t164);
+                const bool t203 = TB_C(0.0) < t202;
+                const real_t t204 = t168 * t174 + t167 * t173;
+                const real_t t205 = t168 * t173;
+                const real_t t206 = t167 * t174;
+                real_t t207, t208, t209, t210, t211;
+                if (t203) {
+                    const real_t t212 = tb_min(tb_max(t180, TB_C(3.0)), TB_C(10.0));
+                    const real_t t213 = TB_C(1.0) / tb_max(t168 * t168 + t167 * t167,
+                        TB_EPSILON);
+                    const real_t t214 = t212 * t213;
+                    const bool t215 = TB_ABS(t170) <= t171;
+                    const real_t t216 = t169 * t214;
+                    const real_t t217 = TB_C(1.0) / t170;
+                    real_t t218, t219;
+                    if (t215) {
+                        t218 = -TB_C(1000000000000.0);
+                        t219 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t220 = (t143 - t216) * t217;
+                        const real_t t221 = t217 * (t164 - t216);
+                        t218 = tb_min(t220, t221);
+                        t219 = tb_max(t220, t221);
+                    }
+                    const real_t t222 = t158 * t168 + t151 * t167;
+                    const bool t223 = TB_ABS(t222) <= t171;
+                    const real_t t224 = t172 * t214;
+                    const real_t t225 = TB_C(1.0) / t222;
+                    real_t t226, t227;
+                    if (t223) {
+                        t226 = -TB_C(1000000000000.0);
+                        t227 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t228 = (t143 - t224) * t225;
+                        const real_t t229 = t225 * (t164 - t224);
+                        t226 = tb_min(t228, t229);
+                        t227 = tb_max(t228, t229);
+                    }
+                    const real_t t230 = tb_min(tb_max(TB_C(0.0), tb_max(t218, t226)),
+                        tb_min(t219, t227));
+                    real_t t231;
+                    if (TB_C(0.0) < TB_ABS(t230)) {
+                        const real_t t232 = t169 * t217;
+                        const real_t t233 = t172 * t225;
+                        const real_t t234 = TB_C(0.0) < t230 ? (t226 < t218 ? t232 : t233) :
+                            (t219 < t227 ? t232 : t233);
+                        t231 = t230 * t234;
+                    } else {
+                        t231 = TB_C(0.0);
+                    }
+                    const real_t t235 = t180 < t212 ? t231 - t214 : t214 - t231;
+                    real_t t236;
+                    if (TB_C(0.0) < t235) {
+                        const real_t t237 = t223 ? TB_C(0.0) : t178 * TB_ABS(t225);
+                        const real_t t238 = t215 ? TB_C(0.0) : t178 * TB_ABS(t217);
+                        const bool t239 = tb_max(t226 + t237, t218 + t238) < tb_min(t227 -
+                            t237, t219 - t238);
+                        t236 = t239 && t179 < t202 ? t235 : TB_C(0.0);
+                    } else {
+                        t236 = TB_C(0.0);
+                    }
+                    t207 = t204 * t214 + (t205 - t206) * t230;
+                    t208 = t224 + t222 * t230;
+                    t209 = t216 + t170 * t230;
+                    t210 = t212;
+                    t211 = t236;
+                } else {
+                    t207 = t181;
+                    t208 = t182;
+                    t209 = t183;
+                    t210 = t180;
+                    t211 = t184;
+                }
+                const real_t t240 = tb_max(t143 - t207, t207 - t164);
+                const bool t241 = TB_C(0.0) < t240;
+                real_t t242, t243, t244, t245, t246;
+                if (t241) {
+                    const real_t t247 = tb_min(tb_max(t207, TB_C(3.0)), TB_C(10.0));
+                    const real_t t248 = TB_C(1.0) / tb_max(t174 * t174 + t173 * t173,
+                        TB_EPSILON);
+                    const real_t t249 = t247 * t248;
+                    const real_t t250 = t177 * t249;
+                    const real_t t251 = t158 * t174 + t151 * t173;
+                    const real_t t252 = t206 - t205;
+                    const bool t253 = TB_ABS(t252) <= t171;
+                    const real_t t254 = t204 * t249;
+                    const real_t t255 = TB_C(1.0) / t252;
+                    real_t t256, t257;
+                    if (t253) {
+                        t256 = -TB_C(1000000000000.0);
+                        t257 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t258 = (t143 - t254) * t255;
+                        const real_t t259 = t255 * (t164 - t254);
+                        t256 = tb_min(t258, t259);
+                        t257 = tb_max(t258, t259);
+                    }
+                    const bool t260 = TB_ABS(t176) <= t171;
+                    const real_t t261 = t175 * t249;
+                    const real_t t262 = TB_C(1.0) / t176;
+                    real_t t263, t264;
+                    if (t260) {
+                        t263 = -TB_C(1000000000000.0);
+                        t264 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t265 = (t143 - t261) * t262;
+                        const real_t t266 = t262 * (t164 - t261);
+                        t263 = tb_min(t265, t266);
+                        t264 = tb_max(t265, t266);
+                    }
+                    const bool t267 = TB_ABS(t251) <= t171;
+                    const real_t t268 = TB_C(1.0) / t251;
+                    real_t t269, t270;
+                    if (t267) {
+                        t269 = -TB_C(1000000000000.0);
+                        t270 = TB_C(1000000000000.0);
+                    } else {
+                        const real_t t271 = (t143 - t250) * t268;
+                        const real_t t272 = t268 * (t164 - t250);
+                        t269 = tb_min(t271, t272);
+                        t270 = tb_max(t271, t272);
+                    }
+                    const real_t t273 = tb_max(t263, t269);
+                    const real_t t274 = tb_min(t264, t270);
+                    const real_t t275 = tb_min(tb_max(TB_C(0.0), tb_max(t256, t273)),
+                        tb_min(t257, t274));
+                    real_t t276;
+                    if (TB_C(0.0) < TB_ABS(t275)) {
+                        const real_t t277 = t204 * t255;
+                        const real_t t278 = t175 * t262;
+                        const real_t t279 = t177 * t268;
+                        real_t t280;
+                        if (TB_C(0.0) < t275) {
+                            t280 = t273 < t256 ? t277 : (t269 < t263 ? t278 : t279);
+                        } else {
+                            t280 = t257 < t274 ? t277 : (t264 < t270 ? t278 : t279);
+                        }
+                        t276 = t275 * t280;
+                    } else {
+                        t276 = TB_C(0.0);
+                    }
+                    const real_t t281 = t207 < t247 ? t276 - t249 : t249 - t276;
+                    real_t t282;
+                    if (TB_C(0.0) < t281) {
+                        const real_t t283 = t267 ? TB_C(0.0) : t178 * TB_ABS(t268);
+                        const real_t t284 = t260 ? TB_C(0.0) : t178 * TB_ABS(t262);
+                        const real_t t285 = t253 ? TB_C(0.0) : t178 * TB_ABS(t255);
+                        const real_t t286 = tb_max(tb_max(t269 + t283, t263 + t284), t256 +
+                            t285);
+                        const real_t t287 = tb_min(tb_min(t270 - t283, t264 - t284), t257 -
+                            t285);
+                        t282 = t286 < t287 && t179 < t240 ? t281 : TB_C(0.0);
+                    } else {
+                        t282 = TB_C(0.0);
+                    }
+                    t242 = t250 + t251 * t275;
+                    t243 = t261 + t176 * t275;
+                    t244 = t254 + t252 * t275;
+                    t245 = t247;
+                    t246 = t282;
+                } else {
+                    t242 = t208;
+                    t243 = t209;
+                    t244 = t210;
+                    t245 = t207;
+                    t246 = t211;
+                }
+                const real_t t288 = tb_min(tb_max(t242, TB_C(3.0)), TB_C(10.0));
+                const real_t t289 = tb_min(tb_max(t243, TB_C(3.0)), TB_C(10.0));
+                const real_t t290 = tb_min(tb_max(t244, TB_C(3.0)), TB_C(10.0));
+                const real_t t291 = tb_min(tb_max(t245, TB_C(3.0)), TB_C(10.0));
+                const real_t t292 = tb_min(tb_min(tb_min(t288, t289), t290), t291) /
+                    tb_max(tb_max(tb_max(t288, t289), t290), t291);
+                const real_t t293 = TB_ABS(t2 * t288 + t8 * t289 + t15 * t290 - t21 * t291);
+                const real_t t294 = TB_ABS(t6 * t289 - t7 * t288 + t14 * t290 + t20 * t291);
+                const real_t t295 = tb_max(tb_max(t246, t293), t294) - t141 * (TB_EPSILON *
+                    TB_C(1280.0));
+                t128 = t292;
+                t129 = t295;
+            }
+            t96 = t128;
+            t97 = t129;
+        }
+        factor_0 = t96;
+        t39 = t97;
+    } else {
+        factor_0 = TB_C(0.0);
+        t39 = TB_C(0.0);
+    }
+    const real_t force_0 = tb_max(TB_C(0.0), margin_0);
+    const bool t296 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
+    const bool t297 = t296 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
+    const bool t298 = !t297;
+    const real_t t299 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const real_t t300 = t9 * t9 + t16 * t16 + t22 * t22 + t27 * t27 + t29 * t29;
+    const bool t301 = !(t299 * t299 < (t300 + t33 * t33) * TB_C(0.5));
+    const bool t302 = !(t39 <= TB_C(0.0));
+    const bool t303 = !t38;
+    if (t298) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t301) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    if (t302) {
+        margin[0] = TB_C(0.0);
+        factor[0] = TB_C(0.0);
+        force[0] = TB_C(0.0);
+        return TB_INACCURATE;
+    }
+    margin[0] = margin_0;
+    factor[0] = factor_0;
+    force[0] = force_0;
+    return t303 ? TB_INFEASIBLE : TB_OK;
 }
 
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1])

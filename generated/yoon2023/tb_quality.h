@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 0e7277466760bf7b, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5d3a4e87e1b79b87, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -48,6 +48,31 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
  *    pose (0.7081, 0.2188), rails (0.7118, 0.2154, 0.6728, 0.2235)).
  *  Cost, all branches: 38 add, 42 mul, 4 div, 4 sqrt, 5 compare, 4 select. */
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t force[1]);
+
+/** What a map shows of a pose: capacity margin, least distance of the zero wrench from a facet
+ *    of the feasible forces, negative outside; TF = min(T0) / max(T0), 0 outside and for T_min
+ *    = 0; I_F = max(0, margin). Every force up to F is feasible where margin >= F  (Yoon
+ *    section III-A, eq. 13; Guay et al. 2014).
+ *  pose [m] (2), rails [m] (4)  ->  margin [N] (scalar), factor [-] (scalar), force [N]
+ *    (scalar)
+ *  Domain: pose with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_SINGULAR: the cables are parallel.
+ *  TB_INACCURATE: the optimality conditions of T0 are missed by more than rounding.
+ *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
+ *  Error of margin: double at most 2.9e-14 N (worst found 7.3e-15 at pose (0.08069, 0.3825),
+ *    rails (0.5879, 0.2002, 0.5769, 0.02838)); float at most 3.1e-03 N (worst found 7.8e-04 at
+ *    pose (0.7118, 0.001063), rails (0.7118, 0.00125, 0.6931, 0)).
+ *  Error of factor: double at most 6.9e-15 (worst found 1.7e-15 at pose (0.212, 0.3364), rails
+ *    (0.6127, 0.1311, 0, 0.4618)); float at most 9.8e-05 (worst found 2.4e-05 at pose (0.7116,
+ *    0.008881), rails (0.7118, 0.008615, 0.6855, 0.003297)).
+ *  Error of force: double at most 1.9e-14 N (worst found 4.7e-15 at pose (0.1262, 0.3798),
+ *    rails (0.2244, 0.2827, 0.2232, 0.4534)); float at most 1.4e-03 N (worst found 3.5e-04 at
+ *    pose (0.7116, 0.008881), rails (0.7115, 0.008615, 0.6877, 0.003297)).
+ *  Cost, all branches: 197 add, 259 mul, 23 div, 6 sqrt, 65 compare, 202 select. */
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1], real_t
+    factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

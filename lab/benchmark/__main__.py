@@ -3,6 +3,7 @@
 from rich.console import Console
 
 from lab.benchmark.cortex_m4.comparison import count_instructions
+from lab.benchmark.map.comparison import compare_maps
 from lab.benchmark.native import ROOT
 from lab.benchmark.report import Results, show, write_json
 from lab.benchmark.step.comparison import compare_steps
@@ -32,7 +33,9 @@ def main() -> None:
         step = compare_steps(machine, generated, PROBLEMS, REPETITIONS)
     with console.status("counting instructions on a Cortex-M4F"):
         counts = count_instructions(machine, generated, CALLS, SEED)
-    results = Results(MACHINE, tension, step, counts, targets(tension, step))
+    with console.status("timing the map"):
+        maps = compare_maps(machine, generated, REPETITIONS)
+    results = Results(MACHINE, tension, step, counts, maps, targets=targets(tension, step, maps))
     show(results, console)
     write_json(results, ROOT / "build" / "bench.json")
 

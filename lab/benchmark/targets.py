@@ -1,16 +1,17 @@
-"""What the project promises about its speed, as ratios against what one would use instead."""
+"""What the project promises about its speed, as rates and against what one would use instead."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import geometric_mean
 
+from lab.benchmark.map.comparison import LARGE, LOOP, NUMPY, MapTable
 from lab.benchmark.step.comparison import StepRow
 from lab.benchmark.tension import TensionTable
 
 
 @dataclass(frozen=True)
 class Target:
-    """A promised ratio and the one that was measured."""
+    """A promised ratio or rate and the one that was measured."""
 
     what: str
     wanted: float
@@ -22,10 +23,33 @@ class Target:
         return self.measured >= self.wanted
 
 
-def targets(tension: Sequence[TensionTable], step: Sequence[StepRow]) -> list[Target]:
-    """The promises; for the tension solve the geometric mean over the sets of feasible problems.
+def targets(
+    tension: Sequence[TensionTable], step: Sequence[StepRow], maps: Sequence[MapTable]
+) -> list[Target]:
+    """All promises."""
+    return [*solver_targets(tension, step), *map_targets(maps)]
 
-    Infeasible ones are no comparison: ours answers with the policy's tensions, peers with nothing.
+
+def map_targets(maps: Sequence[MapTable]) -> list[Target]:
+    """The promises about maps: the rate in the slowest scene, ratios as geometric means of all."""
+
+    def against(name: str) -> float:
+        return geometric_mean([table.ratio(name) for table in maps])
+
+    slowest = min(table.rows[0].poses_per_second for table in maps)
+    return [
+        Target("map, million poses a second", 3.0, slowest / 1e6),
+        Target("map, vectorised NumPy", 10.0, against(NUMPY)),
+        Target("map, loop over quadprog, SciPy", 1000.0, against(LOOP)),
+        Target("map, linear over 16 times the poses", 0.9, 1 / against(LARGE)),
+    ]
+
+
+def solver_targets(tension: Sequence[TensionTable], step: Sequence[StepRow]) -> list[Target]:
+    """The promises about the controller.
+
+    For the tension solve the geometric mean over the sets of feasible problems. Infeasible ones
+    are no comparison: ours answers with the policy's tensions, peers with nothing.
     """
     solvable = [table for table in tension if table.feasible == table.count]
 

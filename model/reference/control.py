@@ -17,7 +17,7 @@ from model.reference.linear import least_norm
 from model.reference.statics import wrench
 
 INTEGRAL, MEASURED, SPEED = range(3)
-EDGE_ON = 1e-12  # the square of a plane's area, seen along a heading that lies in it
+EDGE_ON = 1e-12  # a plane seen along its own surface: the square of the area of its unit cell
 
 
 class BasePid(NamedTuple):
@@ -62,48 +62,47 @@ def wall_force(machine: Machine, pose: npt.ArrayLike, velocity: npt.ArrayLike) -
 def base_targets(machine: Machine, pose: npt.ArrayLike) -> Array:
     """Rail coordinates (..., m) [m] that bring the bases nearest to their anchors, clamped.
 
-    On the rails of Yoon's frame this is the orthogonal configuration (section III-B). A base with a
-    heading comes nearest as seen along it, so that its cable takes that direction. A coordinate
-    that moves several bases goes where the sum of their squared distances is least. A base on a
-    plane in space goes to the foot of the perpendicular; in the plane, where it could reach the
-    anchor itself, or seen edge-on, it rests on its first side: second coordinate 0.
+    On the rails of Yoon's frame this is the orthogonal configuration (section III-B). Nearest is
+    meant across the cable's heading where the file names one. A coordinate that moves several bases
+    fits them all best. A base on a plane in space goes to the foot of the perpendicular; in the
+    plane, where it could reach the anchor itself, it rests on its first side: second coordinate 0.
     """
     anchors = anchor_points(machine, pose)
-    wanted: list[list[tuple[Array, Array]]] = [[] for _ in machine.rails]
-    for i, travel in enumerate(travels(machine, anchors.dtype)):
-        heading = np.asarray(machine.base_motions[i].heading, anchors.dtype)
-        span = _across(anchors[..., i, :] - travel.start, heading)
-        ways = [_across(direction, heading) for _, direction in travel.directions]
-        feet = _feet(span, ways, resting=machine.space == 2)
-        for (k, _), foot in zip(travel.directions, feet, strict=True):
-            wanted[k].append(foot)
+    asked = [np.zeros(anchors.shape[:-2], anchors.dtype) for _ in machine.rails]
+    weights = [np.zeros((), anchors.dtype) for _ in machine.rails]
+    paths = zip(travels(machine, anchors.dtype), machine.base_motions, strict=True)
+    for i, (travel, motion) in enumerate(paths):
+        span = _across(anchors[..., i, :] - travel.start, motion.heading)
+        directions = [_across(direction, motion.heading) for _, direction in travel.directions]
+        feet = _foot(span, directions, resting=machine.space == 2)
+        for (k, _), (foot, weight) in zip(travel.directions, feet, strict=True):
+            asked[k], weights[k] = asked[k] + foot, weights[k] + weight
     targets = np.empty((*anchors.shape[:-2], len(machine.rails)), anchors.dtype)
-    for k, (feet, rail) in enumerate(zip(wanted, machine.rails, strict=True)):
-        along, squares = zip(*feet, strict=True)
-        targets[..., k] = np.clip(sum(along) / sum(squares), 0, rail.length)
+    for k, rail in enumerate(machine.rails):
+        targets[..., k] = np.clip(asked[k] / weights[k], 0, rail.length)
     return targets
 
 
-def _across(vectors: Array, heading: Array) -> Array:
-    """The part of vectors (..., space) square to the heading (space); all of it without one."""
-    if not heading.size:
-        return vectors
-    heading = unit(heading)
-    return np.asarray(vectors - np.sum(vectors * heading, axis=-1)[..., None] * heading)
+def _across(vector: Array, heading: tuple[float, ...]) -> Array:
+    """What a heading sees of vectors (..., space): the part square to it; all without one."""
+    if not heading:
+        return vector
+    h = unit(np.asarray(heading, vector.dtype))
+    return np.asarray(vector - np.sum(vector * h, axis=-1)[..., None] * h)
 
 
-def _feet(span: Array, ways: list[Array], resting: bool) -> list[tuple[Array, Array]]:
-    """Coordinates of the foot of the perpendicular from the end of span, each as a fraction."""
-    along = [np.asarray(np.sum(span * way, axis=-1)) for way in ways]
-    squares = [np.asarray(np.sum(way * way)) for way in ways]
-    if len(ways) < 2:
-        return list(zip(along, squares, strict=True))
-    cosine = np.sum(ways[0] * ways[1])
-    area = squares[0] * squares[1] - cosine * cosine
+def _foot(span: Array, directions: list[Array], resting: bool) -> list[tuple[Array, Array]]:
+    """Coordinates (...) of the point nearest to start + span as numerators and denominators."""
+    along = [np.asarray(np.sum(span * direction, axis=-1)) for direction in directions]
+    square = [np.asarray(np.sum(direction * direction)) for direction in directions]
+    if len(along) < 2:
+        return list(zip(along, square, strict=True))
+    mixed = np.sum(directions[0] * directions[1])
+    area = square[0] * square[1] - mixed * mixed
     if resting or area < EDGE_ON:
-        return [(along[0], squares[0]), (np.zeros_like(along[1]), np.ones_like(area))]
-    (u, v), (uu, vv) = along, squares
-    return [(u * vv - cosine * v, area), (v * uu - cosine * u, area)]
+        return [(along[0], square[0]), (np.zeros_like(along[1]), np.ones_like(square[1]))]
+    u, v = along
+    return [(square[1] * u - mixed * v, area), (square[0] * v - mixed * u, area)]
 
 
 def base_pid(

@@ -27,6 +27,20 @@ def tension_factor(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) 
     return np.asarray(np.min(tension, axis=-1) / np.max(tension, axis=-1))
 
 
+def capacity_margin(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
+    """Signed least distance (...) [N] of the zero wrench from a facet of the feasible wrenches.
+
+    Inside it is the isotropic force; outside it is negative: how far beyond the worst facet the
+    zero wrench lies (Guay et al. 2014). Every force up to F is feasible where it is at least F.
+    """
+    structure = structure_matrix(machine, pose, rails)
+    cables = structure.shape[-1]
+    _, middle, half_width = slabs(machine, structure)
+    # the slabs along the cables bound no facet
+    room = (half_width - np.abs(middle))[..., :cables]
+    return np.asarray(np.min(room, axis=-1))
+
+
 def isotropic_force(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
     """I_F (...) [N]: the largest force that bounded tensions can give in every direction.
 

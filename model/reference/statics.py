@@ -4,8 +4,8 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.arrays import Array, as_floating
-from model.reference.kinematics import cable_lengths, moment_lever, rail_jacobian, structure_matrix
+from model.reference.arrays import Array, as_floating, norm
+from model.reference.kinematics import cable_vectors, moment_lever, rail_jacobian, structure_matrix
 from model.reference.linear import least_norm
 
 
@@ -37,17 +37,17 @@ def wrench_share_eq10(
 ) -> Array:
     """How Yoon eq. 10 shares a wrench (..., d) [N, N m] among the cables (..., n) [N]; planar.
 
-    L^2 S^T (S L^2 S^T)^-1 W, L = diag of the cable lengths: of all that give the wrench the one
-    with the least sum of (T_i / l_i)^2. It is not the tension, although Yoon calls it so: the
-    derivation cancels velocities that are not free, so the internal tension (the null space of S)
-    is lost. Entries can be negative, and no wrench gives no tension at all where T_min > 0.
+    L^2 S^T (S L^2 S^T)^-1 W, L = diag of the straight lengths |l_i|: of all that give the wrench
+    the one with the least sum of (T_i / l_i)^2. It is not the tension, although Yoon calls it so:
+    the derivation cancels velocities that are not free, so the internal tension (the null space
+    of S) is lost. Entries can be negative, and no wrench gives no tension at all where T_min > 0.
 
     NaN where the cables do not span. ValueError for kinds in space, which the equation leaves out.
     """
     if machine.space != 2:
         raise ValueError(f"Yoon eq. 10 is for planar machines; {machine.name} is {machine.kind}")
     pose, rails, wrench = as_floating(pose, rails, wrench)
-    lengths = cable_lengths(machine, pose, rails)
+    lengths = norm(cable_vectors(machine, pose, rails))
     lever = moment_lever(machine, lengths.dtype)
     rows = np.swapaxes(structure_matrix(machine, pose, rails), -1, -2) / lever
     return np.asarray(lengths * least_norm(lengths[..., None] * rows, wrench / lever))

@@ -5,7 +5,8 @@ import math
 import casadi as ca
 
 from model.machine import Machine, Wall
-from model.symbolic import arguments
+from model.symbolic import arguments, kinematics
+from model.symbolic.base_targets import base_targets_function
 from model.symbolic.function import (
     Label,
     ModelFunction,
@@ -14,9 +15,8 @@ from model.symbolic.function import (
     judged_by_results,
     vector_output,
 )
-from model.symbolic.kinematics import loses_rank
-from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract
-from model.symbolic.scalar import Scalar, Vector, clamp, total, where
+from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract, transpose
+from model.symbolic.scalar import Scalar, Vector, clamp, where
 
 #: Largest result that control laws answer, in its own unit: far beyond any machine.
 LARGEST = 1e9
@@ -36,52 +36,32 @@ def motor_torques_function(machine: Machine) -> ModelFunction:
 
 
 def wall_force_function(machine: Machine) -> ModelFunction:
-    """Force of the virtual walls on the hand."""
-    pose = arguments.pose(machine)
-    velocity = arguments.speeds("velocity", machine.dof)
-    force: Vector = [ca.SX(0)] * machine.dof
+    """Force of the virtual walls on the hand, at the centre of a rigid platform: no moment."""
+    pose, velocity = arguments.pose(machine), arguments.velocity(machine)
+    position, motion = (entry.scalars()[: machine.space] for entry in (pose, velocity))
+    force: Vector = [ca.SX(0)] * machine.space
     pushes: Vector = []
     for wall in machine.walls:
-        pushes.append(wall_push(wall, pose.scalars(), velocity.scalars()))
+        pushes.append(wall_push(wall, position, motion))
         force = [f + pushes[-1] * n for f, n in zip(force, wall.normal, strict=True)]
+    moment = [ca.SX(0)] * (machine.dof - machine.space)
     return ModelFunction(
         "wall_force",
         "Force of the virtual walls, max(0, k penetration - b v_n) along each normal",
         "Yoon eq. 26, 27, never attractive",
         (pose, velocity),
-        (vector_output("force", "N", force),),
+        (vector_output("force", arguments.wrench_unit(machine), force + moment),),
         (),
         (Label("push", pushes, "spring and damper of each wall"),) if pushes else (),
     )
 
 
-def wall_push(wall: Wall, pose: Vector, velocity: Vector) -> Scalar:
+def wall_push(wall: Wall, position: Vector, velocity: Vector) -> Scalar:
     """Magnitude of the force of one wall along its outward normal [N]."""
-    penetration = -dot(subtract(pose, list(wall.point)), list(wall.normal))
+    penetration = -dot(subtract(position, list(wall.point)), list(wall.normal))
     leaving = dot(velocity, list(wall.normal))
     push = ca.fmax(0, wall.stiffness * penetration - wall.damping * leaving)
     return where(penetration > 0, push, 0)
-
-
-def base_targets_function(machine: Machine) -> ModelFunction:
-    """Where the bases go so that each cable is perpendicular to its rail."""
-    pose = arguments.pose(machine)
-    feet: list[Vector] = [[] for _ in machine.rails]
-    for motion in machine.base_motions:
-        arm = subtract(pose.scalars(), list(motion.start))
-        for number, direction in motion.travel:
-            feet[number].append(dot(arm, list(direction)))
-    targets = [
-        clamp(total(foot) / len(foot), 0, rail.length)
-        for foot, rail in zip(feet, machine.rails, strict=True)
-    ]
-    return ModelFunction(
-        "base_targets",
-        "Rail coordinates of the orthogonal configuration: the foot of the pose on each rail",
-        "Yoon section III-B",
-        (pose,),
-        (vector_output("target", "m", targets),),
-    )
 
 
 def base_pid_function(machine: Machine) -> ModelFunction:
@@ -129,9 +109,11 @@ def load_tension_function(machine: Machine) -> ModelFunction:
     """What the cables really carry, from the measured force of the hand."""
     structure, tension = arguments.structure(machine), arguments.tension(machine)
     hand = arguments.wrench(machine, "hand_force")
-    matrix, carried = structure.rows(), tension.scalars()
-    surplus = [-h - w for h, w in zip(hand.scalars(), multiply(matrix, carried), strict=True)]
-    share, pivots = solve_positive(gram(matrix), surplus)
+    rows, carried = structure.rows(), tension.scalars()
+    surplus = [-h - w for h, w in zip(hand.scalars(), multiply(rows, carried), strict=True)]
+    matrix = kinematics.comparable(machine, rows)
+    [right] = transpose(kinematics.comparable(machine, [[x] for x in surplus]))
+    share, pivots = solve_positive(gram(matrix), right)
     load = [value + dot([row[i] for row in matrix], share) for i, value in enumerate(carried)]
     return ModelFunction(
         "load_tension",
@@ -139,7 +121,7 @@ def load_tension_function(machine: Machine) -> ModelFunction:
         "the F_h path of Yoon Fig. 11",
         (structure, tension, hand),
         (vector_output("load", "N", load, fallback=machine.tension.min),),
-        (loses_rank(pivots),),
+        (kinematics.loses_rank(pivots),),
     )
 
 

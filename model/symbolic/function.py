@@ -72,6 +72,9 @@ class Output:
         return len(self.values)
 
 
+Port = Input | Output
+
+
 @dataclass(frozen=True)
 class Verdict:
     """`status` is answered where `condition` holds; a fault also replaces the outputs."""
@@ -124,6 +127,11 @@ class ModelFunction:
     labels: tuple[Label, ...] = ()
 
     @property
+    def ports(self) -> tuple[Port, ...]:
+        """Arguments and results in order."""
+        return (*self.inputs, *self.outputs)
+
+    @property
     def can_be_inaccurate(self) -> bool:
         """Whether the function checks its own result."""
         return any(verdict.status is Status.INACCURATE for verdict in self.verdicts)
@@ -131,7 +139,7 @@ class ModelFunction:
 
 @dataclass(frozen=True)
 class Retry:
-    """Functions that are tried in turn until one does not fail its own check.
+    """Functions that are tried in turn until one does not fail its own check, by their names.
 
     The first of `attempts` is asked first. Where it fails, the function `substitute` says whether
     the argument `argument` is feasible and what is served in its place: its outputs, the best one
@@ -145,6 +153,34 @@ class Retry:
     attempts: tuple[str, ...]
     substitute: str
     argument: str
+
+
+@dataclass(frozen=True)
+class Repeat:
+    """A loop of bounded length: `begin`, then `step` at most `most` times, then `finish`.
+
+    The outputs of `begin` are the loop's state. A step takes arguments and state entries by name
+    (`carried` makes the inputs); its outputs replace the state entries of the same name, and its
+    last one, a scalar, is positive where that was the last step. `finish` takes arguments and state
+    entries by name, and makes the results. A loop that is not done after its last step answers
+    TB_INACCURATE, and a fault of any part ends it.
+    """
+
+    name: str
+    summary: str
+    source: str
+    begin: ModelFunction
+    step: ModelFunction
+    finish: ModelFunction
+    most: int
+
+
+def carried(state: Sequence[Output]) -> tuple[Input, ...]:
+    """Inputs that read entries of a loop's state: any numbers, the loop made them itself."""
+    return tuple(
+        judged_by_results(make_input(entry.name, entry.shape, entry.unit, [0.0], [0.0]))
+        for entry in state
+    )
 
 
 def make_input(

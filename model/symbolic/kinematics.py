@@ -1,48 +1,33 @@
 """Where the cables are and how they move: Yoon section II-A and III-D."""
 
+from dataclasses import dataclass
+from functools import cached_property
+
 import casadi as ca
 
 from model.base import BaseMotion
 from model.machine import Machine
-from model.symbolic import arguments
-from model.symbolic.function import (
-    EPSILON,
-    Label,
-    ModelFunction,
-    Output,
-    Verdict,
-    matrix_output,
-    not_all_above,
-    scalar_output,
-    vector_output,
-)
-from model.symbolic.linear import (
-    add_scaled,
-    dot,
-    gram,
-    multiply,
-    norm,
-    solve_positive,
-    subtract,
-    transpose,
-)
-from model.symbolic.scalar import Matrix, Scalar, Vector, total
+from model.symbolic.angle import arc_tangent, planar_rotation, spatial_rotation
+from model.symbolic.function import EPSILON, Label, Verdict, not_all_above
+from model.symbolic.linear import add_scaled, dot, gram, moment, multiply, solve_positive, transpose
+from model.symbolic.scalar import Matrix, Scalar, Vector
+from model.symbolic.span import ArcTangent, Span, span
 
 #: A platform nearer than this to a pulley touches it [m]: the direction of the cable is lost.
 CONTACT_DISTANCE = 1e-4
-#: Directions count as spanning the plane when the smallest pivot of S S' exceeds this.
+#: Directions count as spanning the space of wrenches when the smallest pivot of S S' exceeds this.
 SMALLEST_PIVOT = 1e-6
 #: ... and this many EPSILON, below which a pivot is rounding.
 PIVOT_ROUNDINGS = 4096.0
 
 
 def base_points(machine: Machine, rails: Vector) -> Matrix:
-    """Pulley points b_i [m], one row a cable: fixed, or `from` + s_i along the rail."""
+    """Base points b_i [m], one row a cable: `start` and s_k along every direction of travel."""
     return [base_point(motion, rails) for motion in machine.base_motions]
 
 
 def base_point(motion: BaseMotion, rails: Vector) -> Vector:
-    """Pulley point of one cable [m]."""
+    """Base point of one cable [m]."""
     point: Vector = list(motion.start)
     for number, direction in motion.travel:
         slides = zip(point, direction, strict=True)
@@ -50,14 +35,92 @@ def base_point(motion: BaseMotion, rails: Vector) -> Vector:
     return point
 
 
+def arms(machine: Machine, pose: Vector) -> Matrix:
+    """R p_i [m], from the centre of a rigid platform to its anchors, one row a cable; else none."""
+    if not machine.is_rigid:
+        return []
+    turned = pose[machine.space :]
+    rotation = planar_rotation(turned[0]) if machine.space == 2 else spatial_rotation(turned)
+    return [multiply(rotation, anchor) for anchor in machine.anchors]
+
+
+@dataclass(frozen=True)
+class Cables:
+    """All cables at one pose: `spans`, and for a rigid platform their `arms` R p_i [m]."""
+
+    machine: Machine
+    spans: list[Span]
+    arms: Matrix
+
+    @cached_property
+    def vectors(self) -> Matrix:
+        """From the anchors to where the cables meet the pulleys [m] (Yoon eq. 1)."""
+        return [each.vector for each in self.spans]
+
+    @cached_property
+    def rays(self) -> Matrix:
+        """Unit vectors of these, one row a cable."""
+        return [each.ray for each in self.spans]
+
+    @cached_property
+    def lengths(self) -> Vector:
+        """Cable lengths l_i [m], with what lies on the pulleys."""
+        return [each.length for each in self.spans]
+
+    @cached_property
+    def clearances(self) -> Vector:
+        """Distances [m] without which a cable has no direction."""
+        return [distance for each in self.spans for distance in each.clearances]
+
+    @cached_property
+    def structure(self) -> Matrix:
+        """S, d x n: column i is the wrench of a unit tension, [u_i; R p_i x u_i] (Yoon eq. 7)."""
+        if not self.arms:
+            return transpose(self.rays)
+        pairs = zip(self.arms, self.rays, strict=True)
+        return transpose([[*ray, *moment(arm, ray)] for arm, ray in pairs])
+
+
+def cables(machine: Machine, pose: Vector, rails: Vector) -> Cables:
+    """The cables at a pose and rail coordinates."""
+    platform_arms = arms(machine, pose)
+    held = anchor_points(machine, pose[: machine.space], platform_arms)
+    return spanned(machine, held, platform_arms, rails)
+
+
+def anchor_points(machine: Machine, centre: Vector, platform_arms: Matrix) -> Matrix:
+    """Anchors a_i = c + R p_i in the fixed frame [m], one row a cable."""
+    if not platform_arms:
+        return [centre for _ in machine.cables]
+    return [add_scaled(centre, 1, arm) for arm in platform_arms]
+
+
+def anchors(machine: Machine, pose: Vector) -> Matrix:
+    """Anchors in the fixed frame at a pose [m], one row a cable."""
+    return anchor_points(machine, pose[: machine.space], arms(machine, pose))
+
+
+def spanned(
+    machine: Machine,
+    held: Matrix,
+    platform_arms: Matrix,
+    rails: Vector,
+    angle_of: ArcTangent = arc_tangent,
+) -> Cables:
+    """The cables between the anchors that hold them and their bases."""
+    bases = base_points(machine, rails)
+    ends = zip(machine.pulleys, held, bases, strict=True)
+    return Cables(machine, [span(*each, angle_of) for each in ends], platform_arms)
+
+
 def cable_vectors(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
-    """Cable vectors l_i = b_i - c [m], one row a cable (Yoon eq. 1 with p_i = 0)."""
-    return [subtract(point, pose) for point in base_points(machine, rails)]
+    """Cable vectors l_i [m], one row a cable: b_i - c - R p_i (Yoon eq. 1), to the pulley's rim."""
+    return cables(machine, pose, rails).vectors
 
 
 def cable_lengths(machine: Machine, pose: Vector, rails: Vector) -> Vector:
-    """Cable lengths l_i = |b_i - c| [m] (Yoon eq. 18)."""
-    return [norm(vector) for vector in cable_vectors(machine, pose, rails)]
+    """Cable lengths l_i [m] (Yoon eq. 18), with what lies on the pulleys."""
+    return cables(machine, pose, rails).lengths
 
 
 def directions(vectors: Matrix, lengths: Vector) -> Matrix:
@@ -69,20 +132,56 @@ def directions(vectors: Matrix, lengths: Vector) -> Matrix:
 
 
 def structure_matrix(machine: Machine, pose: Vector, rails: Vector) -> Matrix:
-    """Structure matrix S, d x n: column i is the unit vector along cable i (Yoon eq. 7, 21)."""
-    vectors = cable_vectors(machine, pose, rails)
-    return transpose(directions(vectors, [norm(vector) for vector in vectors]))
+    """Structure matrix S, d x n: column i is the wrench of a unit tension (Yoon eq. 7, 21)."""
+    return cables(machine, pose, rails).structure
 
 
-def jacobian(values: Vector, symbols: ca.SX) -> Matrix:
-    """Derivative of every value by every symbol, by CasADi's automatic differentiation."""
-    derivative = ca.jacobian(ca.vertcat(*values), symbols)
-    return [[derivative[i, j] for j in range(symbols.numel())] for i in range(len(values))]
+def length_jacobian(
+    machine: Machine, centre: Vector, platform_arms: Matrix, rails: Vector
+) -> Matrix:
+    """dl/dx by automatic differentiation, one row a cable, one column an entry of the twist.
+
+    The twist (dc, dw) moves the anchors from a = c + R p to a + dc + dw x R p; it is differentiated
+    at zero, where that is exact.
+    """
+    twist = ca.SX.sym("twist", machine.dof)
+    entries = [twist[i] for i in range(machine.dof)]
+    moved_arms = [turned(arm, entries[machine.space :]) for arm in platform_arms]
+    held = anchor_points(machine, add_scaled(centre, 1, entries[: machine.space]), moved_arms)
+    lengths = spanned(machine, held, moved_arms, rails, ca.atan2).lengths
+    return as_rows(ca.substitute(derivative(lengths, twist), twist, ca.DM.zeros(machine.dof)))
 
 
-def length_label(lengths: Vector) -> Label:
+def turned(arm: Vector, spin: Vector) -> Vector:
+    """An arm after a small turn: p + w x p."""
+    if len(arm) == 2:
+        return [arm[0] - spin[0] * arm[1], arm[1] + spin[0] * arm[0]]
+    return add_scaled(arm, 1, moment(spin, arm))
+
+
+def rail_jacobian(machine: Machine, held: Matrix, rails: ca.SX) -> Matrix:
+    """dl/ds by automatic differentiation, one row a cable, one column a rail coordinate.
+
+    held: the anchors in the fixed frame [m].
+    """
+    entries = [rails[i] for i in range(rails.numel())]
+    lengths = spanned(machine, held, [], entries, ca.atan2).lengths
+    return as_rows(derivative(lengths, rails))
+
+
+def derivative(values: Vector, symbols: ca.SX) -> ca.SX:
+    """Derivative of every value by every symbol."""
+    return ca.jacobian(ca.vertcat(*values), symbols)
+
+
+def as_rows(matrix: ca.SX) -> Matrix:
+    """The entries of a CasADi matrix."""
+    return [[matrix[i, j] for j in range(matrix.size2())] for i in range(matrix.size1())]
+
+
+def length_label(lengths: Vector, source: str = "l_i = |b_i - c|, Yoon eq. 18") -> Label:
     """Names the cable lengths in the generated C."""
-    return Label("length", lengths, "l_i = |b_i - c|, Yoon eq. 18")
+    return Label("length", lengths, source)
 
 
 def touches_a_pulley(lengths: Vector) -> Verdict:
@@ -92,95 +191,10 @@ def touches_a_pulley(lengths: Vector) -> Verdict:
 
 
 def loses_rank(pivots: Vector) -> Verdict:
-    """All cables pull along (nearly) one line."""
+    """The cables do not pull in all directions."""
     least = ca.fmax(SMALLEST_PIVOT, PIVOT_ROUNDINGS * EPSILON)
-    return not_all_above(pivots, least, "the cables are parallel")
-
-
-def base_points_function(machine: Machine) -> ModelFunction:
-    """Pulley points as a function of the rail coordinates."""
-    rails = arguments.rails(machine)
-    points = base_points(machine, rails.scalars())
-    return ModelFunction(
-        "base_points",
-        "Pulley points b_i",
-        "Yoon Fig. 9",
-        (rails,),
-        (matrix_output("points", "m", points),),
-    )
-
-
-def cable_vectors_function(machine: Machine) -> ModelFunction:
-    """Cable vectors as a function of pose and rail coordinates."""
-    pose, rails = arguments.pose(machine), arguments.rails(machine)
-    vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
-    return ModelFunction(
-        "cable_vectors",
-        "Cable vectors l_i = b_i - c, from the platform to the pulley",
-        "Yoon eq. 1",
-        (pose, rails),
-        (matrix_output("vectors", "m", vectors),),
-    )
-
-
-def cable_lengths_function(machine: Machine) -> ModelFunction:
-    """Cable lengths as a function of pose and rail coordinates."""
-    pose, rails = arguments.pose(machine), arguments.rails(machine)
-    lengths = cable_lengths(machine, pose.scalars(), rails.scalars())
-    return ModelFunction(
-        "cable_lengths",
-        "Cable lengths l_i = |b_i - c|",
-        "Yoon eq. 18",
-        (pose, rails),
-        (vector_output("length", "m", lengths),),
-        (touches_a_pulley(lengths),),
-    )
-
-
-def structure_matrix_function(machine: Machine) -> ModelFunction:
-    """Structure matrix as a function of pose and rail coordinates."""
-    pose, rails = arguments.pose(machine), arguments.rails(machine)
-    vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
-    lengths = [norm(vector) for vector in vectors]
-    return ModelFunction(
-        "structure_matrix",
-        "Structure matrix S: column i is the unit vector along cable i, S T = W",
-        "Yoon eq. 7, 21",
-        (pose, rails),
-        (matrix_output("structure", "1", transpose(directions(vectors, lengths))),),
-        (touches_a_pulley(lengths),),
-        (length_label(lengths),),
-    )
-
-
-def length_jacobian_function(machine: Machine) -> ModelFunction:
-    """Derivative of the lengths by the pose."""
-    pose, rails = arguments.pose(machine), arguments.rails(machine)
-    lengths = cable_lengths(machine, pose.scalars(), rails.scalars())
-    return ModelFunction(
-        "length_jacobian",
-        "Length Jacobian dl/dx = -S'",
-        "Yoon eq. 3, 20",
-        (pose, rails),
-        (matrix_output("jacobian", "1", jacobian(lengths, pose.symbols)),),
-        (touches_a_pulley(lengths),),
-        (length_label(lengths),),
-    )
-
-
-def rail_jacobian_function(machine: Machine) -> ModelFunction:
-    """Derivative of the lengths by the rail coordinates."""
-    pose, rails = arguments.pose(machine), arguments.rails(machine)
-    lengths = cable_lengths(machine, pose.scalars(), rails.scalars())
-    return ModelFunction(
-        "rail_jacobian",
-        "Rail Jacobian dl/ds",
-        "Yoon eq. 3, 20",
-        (pose, rails),
-        (matrix_output("jacobian", "1", jacobian(lengths, rails.symbols)),),
-        (touches_a_pulley(lengths),),
-        (length_label(lengths),),
-    )
+    few = f"the cables pull in fewer than {len(pivots)} directions"
+    return not_all_above(pivots, least, "the cables are parallel" if len(pivots) == 2 else few)
 
 
 def rail_slopes(machine: Machine, rays: Matrix) -> list[tuple[int, int, Scalar]]:
@@ -192,149 +206,33 @@ def rail_slopes(machine: Machine, rays: Matrix) -> list[tuple[int, int, Scalar]]
     ]
 
 
-def least_squares_velocity(
-    machine: Machine, rays: Matrix, length_rates: Vector, rail_rates: Vector
-) -> tuple[Vector, Vector]:
-    """Velocity that fits S' xdot = dl/ds sdot - ldot best; returns (velocity [m/s], pivots)."""
-    closing = list(length_rates)
-    for cable, number, slope in rail_slopes(machine, rays):
-        closing[cable] = closing[cable] - slope * rail_rates[number]
-    columns = transpose(rays)
-    return solve_positive(gram(columns), [-x for x in multiply(columns, closing)])
+def comparable(machine: Machine, rows: Matrix) -> Matrix:
+    """Rows of wrench entries with moments over the platform's lever, so that norms make sense [N].
 
-
-def task_velocity_function(machine: Machine) -> ModelFunction:
-    """Platform velocity from the speeds of cables and rails."""
-    pose, rails = arguments.pose(machine), arguments.rails(machine)
-    length_rates, rail_rates = arguments.rates(machine)
-    vectors = cable_vectors(machine, pose.scalars(), rails.scalars())
-    lengths = [norm(vector) for vector in vectors]
-    velocity, pivots = least_squares_velocity(
-        machine, directions(vectors, lengths), length_rates.scalars(), rail_rates.scalars()
-    )
-    return ModelFunction(
-        "task_velocity",
-        "Platform velocity: least squares over the unit rows of dl/dx xdot = ldot - dl/ds sdot",
-        "Yoon eq. 6, 20 with normalised rows",
-        (pose, rails, length_rates, rail_rates),
-        (vector_output("velocity", "m/s", velocity),),
-        (touches_a_pulley(lengths), loses_rank(pivots)),
-        (length_label(lengths),),
-    )
-
-
-def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Vector]:
-    """Position from distances, closed form; returns (position [m], pivots [m^2]).
-
-    |b_i|^2 - 2 b_i.c + |c|^2 = l_i^2 minus its mean over the cables is linear in c, for any bases.
+    The transpose serves twists: it takes (v, lever w).
     """
-    count, dimension = len(points), len(points[0])
-    centre = [total([point[k] for point in points]) / count for k in range(dimension)]
-    arms = [subtract(point, centre) for point in points]
-    squares = [dot(arm, arm) - length * length for arm, length in zip(arms, lengths, strict=True)]
-    mean = total(squares) / count
-    columns = transpose(arms)
-    right = [x / 2 for x in multiply(columns, [square - mean for square in squares])]
-    offset, pivots = solve_positive(gram(columns), right)
-    return [a + b for a, b in zip(centre, offset, strict=True)], pivots
+    moments = [[entry / machine.lever for entry in row] for row in rows[machine.space :]]
+    return [*rows[: machine.space], *moments]
 
 
-def gauss_newton_step(points: Matrix, lengths: Vector, pose: Vector) -> tuple[Vector, Vector]:
-    """One step on sum (l_i - |b_i - c|)^2 from `pose`; returns (new pose [m], distances there)."""
-    vectors = [subtract(point, pose) for point in points]
-    distances = [norm(vector) for vector in vectors]
-    columns = transpose(directions(vectors, distances))
-    step, _ = solve_positive(gram(columns), multiply(columns, subtract(distances, lengths)))
-    return add_scaled(pose, 1, step), distances
-
-
-class Fix:
-    """The pose that fits cable lengths best, and what the lengths disagree by (Yoon eq. 19)."""
-
-    def __init__(self, machine: Machine, lengths: Vector, rails: Vector) -> None:
-        points = base_points(machine, rails)
-        self.machine = machine
-        self.start, self.spread = multilateration(points, lengths)
-        self.pose, self.distances = gauss_newton_step(points, lengths, self.start)
-        self.vectors = [subtract(point, self.pose) for point in points]
-        self.reach = [norm(vector) for vector in self.vectors]
-        self.misfit = subtract(lengths, self.reach)
-
-    def verdicts(self) -> tuple[Verdict, ...]:
-        """Where the lengths tell no pose."""
-        least = (1e-4 * max(self.machine.frame.size)) ** 2
-        return (
-            not_all_above(self.spread, least, "the bases lie on one line"),
-            not_all_above(self.distances, CONTACT_DISTANCE, "the platform is at a pulley"),
-        )
-
-    def outputs(self) -> tuple[Output, ...]:
-        """Pose and residual."""
-        return vector_output("pose", "m", self.pose), scalar_output(
-            "residual", "m", norm(self.misfit)
-        )
-
-    def labels(self) -> tuple[Label, ...]:
-        """Names for what is computed on the way."""
-        return (
-            Label("start", self.start, "differences of squared lengths are linear in the pose"),
-            Label("distance", self.distances, "one Gauss-Newton step"),
-            Label("misfit", self.misfit, "what the lengths disagree by: slack, an encoder fault"),
-        )
-
-
-def forward_kinematics_function(machine: Machine) -> ModelFunction:
-    """Pose from cable lengths and rail coordinates."""
-    lengths, rails = arguments.lengths(machine), arguments.rails(machine)
-    fix = Fix(machine, lengths.scalars(), rails.scalars())
-    return ModelFunction(
-        "forward_kinematics",
-        "Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit",
-        "Yoon eq. 19",
-        (lengths, rails),
-        fix.outputs(),
-        fix.verdicts(),
-        fix.labels(),
-    )
-
-
-def locate_function(machine: Machine) -> ModelFunction:
-    """All that a controller needs to know of where the platform is, in one call."""
-    lengths, rails = arguments.lengths(machine), arguments.rails(machine)
-    length_rates, rail_rates = arguments.rates(machine)
-    fix = Fix(machine, lengths.scalars(), rails.scalars())
-    rays = directions(fix.vectors, fix.reach)
-    velocity, pivots = least_squares_velocity(
-        machine, rays, length_rates.scalars(), rail_rates.scalars()
-    )
-    return ModelFunction(
-        "locate",
-        "Pose, residual, structure matrix and velocity at once: forward_kinematics, "
-        "structure_matrix and task_velocity without their common work",
-        "Yoon eq. 19, 21, 20 with normalised rows",
-        (lengths, rails, length_rates, rail_rates),
-        (
-            *fix.outputs(),
-            matrix_output("structure", "1", transpose(rays)),
-            vector_output("velocity", "m/s", velocity),
-        ),
-        (*fix.verdicts(), touches_a_pulley(fix.reach), loses_rank(pivots)),
-        fix.labels(),
-    )
-
-
-def functions(machine: Machine) -> list[ModelFunction]:
-    """Everything this topic generates."""
-    result = [
-        base_points_function(machine),
-        cable_vectors_function(machine),
-        cable_lengths_function(machine),
-        structure_matrix_function(machine),
-        length_jacobian_function(machine),
-        task_velocity_function(machine),
-        forward_kinematics_function(machine),
-        locate_function(machine),
+def as_twist(machine: Machine, velocity: Vector) -> Vector:
+    """(v, lever w) -> (v, w)."""
+    return [
+        *velocity[: machine.space],
+        *(entry / machine.lever for entry in velocity[machine.space :]),
     ]
-    if machine.rails:
-        result.append(rail_jacobian_function(machine))
-    return result
+
+
+def least_squares_velocity(
+    at: Cables, length_rates: Vector, rail_rates: Vector
+) -> tuple[Vector, Vector]:
+    """Velocity that fits S' xdot = dl/ds sdot - ldot best; returns (velocity [m/s, rad/s], pivots).
+
+    A rigid platform's velocity is a twist in the fixed frame.
+    """
+    closing = list(length_rates)
+    for cable, number, slope in rail_slopes(at.machine, at.rays):
+        closing[cable] = closing[cable] - slope * rail_rates[number]
+    rows = comparable(at.machine, at.structure)
+    velocity, pivots = solve_positive(gram(rows), [-x for x in multiply(rows, closing)])
+    return as_twist(at.machine, velocity), pivots

@@ -23,6 +23,19 @@ def cross(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
     return a[0] * b[1] - a[1] * b[0]
 
 
+def cross_matrix(a: Sequence[Scalar]) -> Matrix:
+    """[a]x, which makes the vector product a x b of a spatial vector b."""
+    x, y, z = a
+    return [[0, -z, y], [z, 0, -x], [-y, x, 0]]
+
+
+def moment(arm: Sequence[Scalar], force: Sequence[Scalar]) -> Vector:
+    """Moment arm x force: one entry in the plane, three in space."""
+    if len(arm) == 2:
+        return [cross(arm, force)]
+    return multiply(cross_matrix(arm), force)
+
+
 def subtract(a: Sequence[Scalar], b: Sequence[Scalar]) -> Vector:
     """a - b."""
     return [x - y for x, y in zip(a, b, strict=True)]
@@ -104,16 +117,27 @@ class Factorisation:
             columns.append(self.apply(unit))
         return transpose(columns)
 
+    def forward(self, right: Sequence[Scalar]) -> Vector:
+        """Solves R' z = right."""
+        solution: Vector = []
+        for i, value in enumerate(right):
+            for k in range(i):
+                value = value - self.triangle[k][i] * solution[k]
+            solution.append(value / self.triangle[i][i])
+        return solution
+
     def least_norm(self, right: Sequence[Scalar]) -> Vector:
         """The vector T of least norm with S T = right."""
-        rank = len(self.reflectors)
-        forward: Vector = []
-        for i in range(rank):
-            value = right[i]
-            for k in range(i):
-                value = value - self.triangle[k][i] * forward[k]
-            forward.append(value / self.triangle[i][i])
-        return self.apply(forward + [ca.SX(0)] * (self.size - rank))
+        return self.apply(self.forward(right) + [ca.SX(0)] * (self.size - len(self.reflectors)))
+
+    def solve_gram(self, right: Sequence[Scalar]) -> Vector:
+        """Solves S S' y = R' R y = right; S' y is as near the least-norm vector as by Q (Paige)."""
+        solution = self.forward(right)
+        for i in reversed(range(len(solution))):
+            for k in range(i + 1, len(solution)):
+                solution[i] = solution[i] - self.triangle[i][k] * solution[k]
+            solution[i] = solution[i] / self.triangle[i][i]
+        return solution
 
     def pivots(self) -> Vector:
         """Magnitudes on the diagonal of R: one of them is zero where S loses rank."""

@@ -5,25 +5,30 @@ What happens to a wrench that no admissible tension exerts is a policy of the ma
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
 from model.machine import Machine
 from model.symbolic import arguments
+from model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
+from model.symbolic.composition import Call, Composite, Composition
 from model.symbolic.function import (
     EPSILON,
     Label,
     ModelFunction,
     Output,
+    Repeat,
     Retry,
     Status,
     Verdict,
+    carried,
     not_all_above,
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import multiply, transpose
+from model.symbolic.linear import factorise, multiply, transpose
+from model.symbolic.nearest_wrench import Nearest, Reach, nearest_loop
 from model.symbolic.null_space import NullSpace, crossed, factored
 from model.symbolic.polytope import UNBOUNDED, Slabs
 from model.symbolic.scalar import (
@@ -37,6 +42,8 @@ from model.symbolic.scalar import (
     total,
     where,
 )
+from model.symbolic.wrench_norm import weighed, weighed_rows, weights
+from model.symbolic.wrench_ray import ray_outputs, ray_sweep
 from model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
@@ -57,6 +64,17 @@ LARGEST_MISS = 1e-3
 SMALLEST_PIVOT = 1e-6
 #: ... or below this many EPSILON, where a pivot is rounding.
 RANK_TOLERANCE = 4096.0
+#: The solver without a loop nests once more with every redundant cable; beyond this many a loop
+#: takes less code.
+UNROLLED_REDUNDANCY = 2
+#: Dimension in which the feasible wrenches are a polygon.
+PLANE = 2
+
+PAPER = "distribute_tension_paper"
+PAPER_SUMMARY = (
+    "Tensions of least norm above T_min, then clipped to T_max, which changes the wrench"
+)
+PAPER_SOURCE = "Yoon eq. 22, 23"
 
 
 @dataclass(frozen=True)
@@ -127,82 +145,208 @@ def least_norm_function(
 ) -> ModelFunction:
     """Exact bounded distribution of a feasible wrench."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
-    matrix, wanted = structure.rows(), wrench.scalars()
+    matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
     low, high = machine.tension.min, machine.tension.max
     space = method(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, high)
+    solution = replace(solution, delivered=multiply(structure.rows(), solution.tension))
     limit = ca.fmin(rounding(tolerance, ca.SX(high), space), LARGEST_MISS * high)
-    missed = ca.logic_not(solution.kkt_residual <= limit)
     return ModelFunction(
         name,
         f"Tensions of least norm within their bounds that exert a wrench{remark}",
         "Yoon eq. 12",
         (structure, wrench),
         solution_outputs(machine, solution),
-        (
-            rank_lost(space),
-            Verdict(
-                missed,
-                Status.INACCURATE,
-                "no admissible tension exerts the wrench, or the optimality conditions are missed",
-            ),
-        ),
+        (rank_lost(space), kkt_missed(solution, limit)),
         solution_labels(space, solution),
     )
 
 
+def kkt_missed(solution: Solution, limit: Scalar) -> Verdict:
+    """The solution fails its own check."""
+    return Verdict(
+        ca.logic_not(solution.kkt_residual <= limit),
+        Status.INACCURATE,
+        "no admissible tension exerts the wrench, or the optimality conditions are missed",
+    )
+
+
+def active_set(machine: Machine, high: float | None) -> tuple[ActiveSet, Matrix]:
+    """The loop for any number of cables, and S; moments count by the force at the lever."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    low, wanted = machine.tension.min, weighed(machine, wrench.scalars())
+    magnitude = total([ca.fabs(x) for x in wanted])
+    problem = Bounded(
+        weighed_rows(machine, structure.rows()),
+        wanted,
+        low,
+        UNBOUNDED if high is None else high,
+        low + magnitude if high is None else ca.SX(high),
+    )
+    inputs, pivots = (structure, wrench), factorise(problem.matrix).pivots()
+    start = Start(inputs, (), pivots, (regular(pivots),))
+    return ActiveSet(problem, inputs, start), structure.rows()
+
+
+def least_norm_loop(machine: Machine) -> Repeat:
+    """Exact bounded distribution of a feasible wrench over any number of cables."""
+    high = machine.tension.max
+    loop, matrix = active_set(machine, high)
+
+    def answer(best: Optimum, pivot: Scalar) -> Answer:
+        solution = Solution(best.tension, multiply(matrix, best.tension), best.residual)
+        return solution_outputs(machine, solution), (
+            kkt_missed(solution, tolerated(machine, pivot)),
+        )
+
+    return loop.repeat(
+        "least_norm_tension",
+        "Tensions of least norm within their bounds that exert a wrench",
+        "Yoon eq. 12, by active sets: Goldfarb, Idnani 1983",
+        answer,
+    )
+
+
+def tolerated(machine: Machine, pivot: Scalar) -> Scalar:
+    """Residual of a loop's optimality conditions that rounding explains [N]."""
+    high, units = machine.tension.max, KKT_TOLERANCE * max(1.0, len(machine.cables) / 4)
+    return ca.fmin(units * EPSILON * high / ca.fmin(1, pivot), LARGEST_MISS * high)
+
+
+def paper_loop(machine: Machine) -> Repeat:
+    """Yoon's own control law over any number of cables."""
+    low, high = machine.tension.min, machine.tension.max
+    loop, matrix = active_set(machine, None)
+
+    def answer(best: Optimum, pivot: Scalar) -> Answer:
+        limit = KKT_TOLERANCE * EPSILON * largest(best.tension) / pivot
+        solved = best.residual <= ca.fmin(limit, LARGEST_MISS * high)
+        solution, verdicts = clipped(matrix, best.tension, best.residual, solved, low, high)
+        return solution_outputs(machine, solution), verdicts
+
+    return loop.repeat(PAPER, PAPER_SUMMARY, PAPER_SOURCE, answer)
+
+
 def served_wrench_function(machine: Machine, policy: str) -> ModelFunction:
-    """The feasible wrench that a policy puts in place of an infeasible one."""
+    """The feasible wrench that a policy puts in place of an infeasible one, in the plane."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     wanted = wrench.scalars()
     feasible = wrench_set(transpose(structure.rows()), machine.tension.min, machine.tension.max)
-    inside = feasible.contains(wanted)
-    choose, meaning = POLICIES[policy]
-    border = choose(feasible, wanted)
-    served = [
-        where(inside, asked, edge + OFF_BORDER * EPSILON * (middle - edge))
-        for asked, edge, middle in zip(wanted, border, feasible.middle, strict=True)
-    ]
-    inner = [a + INWARDS * (b - a) for a, b in zip(served, feasible.middle, strict=True)]
+    choose, _ = POLICIES[policy]
+    outputs, infeasible = served_outputs(
+        feasible.contains(wanted), wanted, choose(feasible, wanted), feasible.middle
+    )
     return ModelFunction(
-        f"served_wrench_{policy}",
-        f"The wrench that is served: an infeasible one {meaning}",
-        "facets of the zonotope {S T}",
+        *served_names(policy, "facets of the zonotope {S T}"),
         (structure, wrench),
-        (vector_output("served", "N", served), vector_output("inner", "N", inner)),
-        (Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it"),),
+        outputs,
+        (infeasible,),
         (Label("facet", feasible.halves, "facets of the feasible wrenches, half distances"),),
     )
+
+
+def served_names(policy: str, source: str) -> tuple[str, str, str]:
+    """Name, summary and source of the function that serves the wrench of a policy."""
+    _, meaning = POLICIES[policy]
+    return (
+        f"served_wrench_{policy}",
+        f"The wrench that is served: an infeasible one {meaning}",
+        source,
+    )
+
+
+def served_outputs(
+    inside: Scalar, wanted: Vector, border: Vector, middle: Vector
+) -> tuple[tuple[Output, ...], Verdict]:
+    """The wanted wrench, or one just inside the border; then one with more room."""
+    served = [
+        where(inside, asked, edge + OFF_BORDER * EPSILON * (centre - edge))
+        for asked, edge, centre in zip(wanted, border, middle, strict=True)
+    ]
+    inner = [a + INWARDS * (b - a) for a, b in zip(served, middle, strict=True)]
+    outputs = vector_output("served", "N", served), vector_output("inner", "N", inner)
+    infeasible = Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it")
+    return outputs, infeasible
+
+
+def closest_loop(machine: Machine) -> Repeat:
+    """The nearest feasible wrench in any dimension; moments count by the force at the lever."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    matrix, wanted = structure.rows(), wrench.scalars()
+    low, high = machine.tension.min, machine.tension.max
+    reach = Reach(weighed_rows(machine, matrix), weighed(machine, wanted), low, high)
+    middle = [(low + high) / 2 * total(row) for row in matrix]
+
+    def answer(found: Nearest) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        offset = [x / w for x, w in zip(found.offset, weights(machine), strict=True)]
+        border = [a + b for a, b in zip(wanted, offset, strict=True)]
+        outputs, infeasible = served_outputs(found.inside, wanted, border, middle)
+        return outputs, (found.inaccurate, infeasible)
+
+    names = served_names("closest", "point of least norm of {S T - W}: Wolfe 1976")
+    return nearest_loop(names, (structure, wrench), reach, answer)
+
+
+def scale_by_ray(machine: Machine) -> Composition:
+    """The largest feasible fraction in any dimension; the nearest wrench where there is none."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    nothing = [ca.SX(0)] * machine.dof
+    told = (*ray_outputs(*nothing[:1] * 3), vector_output("closest", "N", nothing))
+    ray = carried(told)
+    feasible, fraction, missed, *closest = [x for port in ray for x in port.scalars()]
+    border = [
+        where(missed > 0, near, fraction * asked)
+        for near, asked in zip(closest, wrench.scalars(), strict=True)
+    ]
+    mean = (machine.tension.min + machine.tension.max) / 2
+    middle = [mean * total(row) for row in structure.rows()]
+    outputs, infeasible = served_outputs(feasible > 0, wrench.scalars(), border, middle)
+    name, summary, source = served_names("scale", "facets of the zonotope {S T}")
+    inputs = (structure, wrench)
+    last = ModelFunction(
+        "served_fraction", summary, source, (*inputs, *ray), outputs, (infeasible,)
+    )
+    nearest = Call("served_wrench_closest", {"served": "closest", "inner": "closer"}, "missed")
+    calls = (Call(ray_sweep(machine, structure, wrench)), nearest, Call(last))
+    return Composition(name, summary, source, inputs, calls)
 
 
 def paper_function(machine: Machine) -> ModelFunction:
     """Yoon's own control law: eq. 22 has no upper bound, eq. 23 clips what exceeds it."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
-    matrix, wanted = structure.rows(), wrench.scalars()
+    matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
     low, high = machine.tension.min, machine.tension.max
     space = factored(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, None)
     limit = rounding(KKT_TOLERANCE, largest(solution.tension), space)
     solved = solution.kkt_residual <= ca.fmin(limit, LARGEST_MISS * high)
-    clipped = [where(solved, ca.fmin(value, high), low) for value in solution.tension]
-    exceeds = any_of([value > high for value in solution.tension])
-    answer = Solution(clipped, multiply(matrix, clipped), where(solved, solution.kkt_residual, 0))
+    answer, verdicts = clipped(
+        structure.rows(), solution.tension, solution.kkt_residual, solved, low, high
+    )
     return ModelFunction(
-        "distribute_tension_paper",
-        "Tensions of least norm above T_min, then clipped to T_max, which changes the wrench",
-        "Yoon eq. 22, 23",
+        PAPER,
+        PAPER_SUMMARY,
+        PAPER_SOURCE,
         (structure, wrench),
         solution_outputs(machine, answer),
-        (
-            rank_lost(space),
-            Verdict(
-                ca.logic_not(solved),
-                Status.INFEASIBLE,
-                "eq. 22 has no solution, and every cable holds T_min",
-            ),
-            Verdict(exceeds, Status.INFEASIBLE, "eq. 23 clipped a tension"),
-        ),
+        (rank_lost(space), *verdicts),
         solution_labels(space, answer),
+    )
+
+
+def clipped(
+    matrix: Matrix, tension: Vector, residual: Scalar, solved: Scalar, low: float, high: float
+) -> tuple[Solution, tuple[Verdict, ...]]:
+    """What eq. 23 makes of a solution of eq. 22; T_min where there is none."""
+    held = [where(solved, ca.fmin(value, high), low) for value in tension]
+    exceeds = any_of([value > high for value in tension])
+    return Solution(held, multiply(matrix, held), where(solved, residual, 0)), (
+        Verdict(
+            ca.logic_not(solved),
+            Status.INFEASIBLE,
+            "eq. 22 has no solution, and every cable holds T_min",
+        ),
+        Verdict(exceeds, Status.INFEASIBLE, "eq. 23 clipped a tension"),
     )
 
 
@@ -226,16 +370,37 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
 
 def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
-    limit = ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
-    return not_all_above(space.pivots, limit, "the cables are parallel")
+    return regular(space.pivots)
+
+
+def regular(pivots: Vector) -> Verdict:
+    """TB_SINGULAR where a pivot of the structure matrix is lost."""
+    return not_all_above(pivots, least_pivot(), "the cables are parallel")
+
+
+def least_pivot() -> Scalar:
+    """No larger, a pivot of the structure matrix counts as zero."""
+    return ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
+
+
+def is_unrolled(machine: Machine) -> bool:
+    """Whether tensions are found without a loop."""
+    return machine.redundancy <= UNROLLED_REDUNDANCY
+
+
+def planar_policies(machine: Machine) -> list[str]:
+    """Policies that the polygon of feasible forces decides."""
+    return list(POLICIES) if machine.dof == PLANE else []
 
 
 def functions(machine: Machine) -> list[ModelFunction]:
     """Everything this topic computes in one pass."""
+    served = [served_wrench_function(machine, policy) for policy in planar_policies(machine)]
+    if not is_unrolled(machine):
+        return served
     return [
         *(least_norm_function(machine, *method) for method in methods(machine)),
-        served_wrench_function(machine, "scale"),
-        served_wrench_function(machine, "closest"),
+        *served,
         paper_function(machine),
     ]
 
@@ -251,10 +416,15 @@ def methods(machine: Machine) -> list[Method]:
     return [quick, always] if (machine.dof, len(machine.cables)) == (2, 4) else [always]
 
 
-def procedures(machine: Machine) -> list[Retry]:
-    """Distributions that serve another wrench where the wanted one is infeasible."""
-    return [
-        Retry(
+def composites(machine: Machine) -> list[Composite]:
+    """Loops, and distributions that serve another wrench where the wanted one is infeasible."""
+    result: list[Composite] = []
+    if not is_unrolled(machine):
+        result += [least_norm_loop(machine), paper_loop(machine)]
+    if machine.dof > PLANE:
+        result += [closest_loop(machine), scale_by_ray(machine)]
+    for policy, (_, meaning) in POLICIES.items():
+        retry = Retry(
             f"distribute_tension_{policy}",
             f"Tensions of least norm within their bounds; an infeasible wrench {meaning}",
             "Yoon eq. 12",
@@ -262,5 +432,5 @@ def procedures(machine: Machine) -> list[Retry]:
             f"served_wrench_{policy}",
             "wrench",
         )
-        for policy, (_, meaning) in POLICIES.items()
-    ]
+        result.append(retry)
+    return result

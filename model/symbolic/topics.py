@@ -3,13 +3,15 @@
 from collections.abc import Callable
 
 from model.machine import Machine
-from model.symbolic import control, kinematics, quality, statics, tension
-from model.symbolic.function import ModelFunction, Retry
+from model.symbolic import comparison, control, kinematic_functions, quality, statics, tension
+from model.symbolic.composition import Composite
+from model.symbolic.function import ModelFunction
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
-    "kinematics": ("where the cables are and how they move", kinematics.functions),
+    "kinematics": ("where the cables are and how they move", kinematic_functions.functions),
     "statics": ("forces between cables, platform and bases", statics.functions),
     "tension": ("tension distribution", tension.functions),
+    "comparison": ("tension methods to compare with", comparison.functions),
     "quality": ("tension factor and isotropic force of a pose", quality.functions),
     "control": ("control laws around the tension distribution", control.functions),
 }
@@ -20,6 +22,11 @@ def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
     return {topic: build(machine) for topic, (_, build) in TOPICS.items()}
 
 
-def model_procedures(machine: Machine) -> dict[str, list[Retry]]:
-    """Every function that is made of others, by topic."""
-    return {"tension": tension.procedures(machine)}
+def model_composites(machine: Machine) -> dict[str, list[Composite]]:
+    """Every function that is made of others, by topic; those it is made of come before it."""
+    return {
+        "kinematics": [*kinematic_functions.composites(machine)],
+        "tension": tension.composites(machine),
+        "comparison": comparison.composites(machine),
+        "quality": quality.composites(machine),
+    }

@@ -66,12 +66,44 @@ static void find_rates(const tb_controller *controller, const tb_inputs *inputs,
     }
 }
 
-static tb_status locate_platform(const tb_inputs *inputs, const tb_rates *rates,
-                                 real_t structure[], tb_outputs *outputs)
+#ifdef TB_START_POSE
+
+/* The pose has no closed form: its search begins where the platform was. */
+static tb_status locate_platform(const tb_controller *controller, const tb_inputs *inputs,
+                                 const tb_rates *rates, real_t structure[], tb_outputs *outputs)
 {
+    return tb_locate(controller->pose, inputs->lengths, inputs->rails, rates->cables,
+                     rates->rails, outputs->pose, &outputs->residual, structure,
+                     outputs->velocity);
+}
+
+static tb_status find_start(const real_t lengths[], const real_t rails[], real_t pose[])
+{
+    static const real_t start[TB_DOF] = TB_START_POSE;
+    real_t found[TB_DOF];
+    real_t residual[1];
+    tb_status const status = tb_forward_kinematics(start, lengths, rails, found, residual);
+    copy(TB_DOF, (status == TB_OK) ? found : start, pose);
+    return status;
+}
+
+#else
+
+static tb_status locate_platform(const tb_controller *controller, const tb_inputs *inputs,
+                                 const tb_rates *rates, real_t structure[], tb_outputs *outputs)
+{
+    (void)controller;
     return tb_locate(inputs->lengths, inputs->rails, rates->cables, rates->rails, outputs->pose,
                      &outputs->residual, structure, outputs->velocity);
 }
+
+static tb_status find_start(const real_t lengths[], const real_t rails[], real_t pose[])
+{
+    real_t residual[1];
+    return tb_forward_kinematics(lengths, rails, pose, residual);
+}
+
+#endif
 
 static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
 {
@@ -104,12 +136,24 @@ static void resume_observer(tb_controller *controller, const real_t lengths[])
 
 #if TB_HAND_FORCE_MEASURED
 
+/* The most that all cables together can pull along or about an axis. */
+static real_t largest_pull(size_t axis)
+{
+    real_t const force = (real_t)TB_CABLES * TB_TENSION_MAX;
+#ifdef TB_LONGEST_ARM
+    return (axis < TB_SPACE) ? force : (force * TB_LONGEST_ARM);
+#else
+    (void)axis;
+    return force;
+#endif
+}
+
 /* More than all cables together can pull is a broken sensor, not a hand; a NaN fails too. */
 static bool is_believable(const real_t hand_force[])
 {
-    real_t const bound = (real_t)TB_CABLES * TB_TENSION_MAX;
     bool believable = true;
     for (size_t i = 0; i < TB_DOF; i++) {
+        real_t const bound = largest_pull(i);
         believable = believable && (hand_force[i] >= -bound) && (hand_force[i] <= bound);
     }
     return believable;
@@ -286,7 +330,7 @@ static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs,
     tb_rates rates;
     real_t structure[TB_DOF * TB_CABLES];
     find_rates(controller, inputs, &rates);
-    tb_status status = locate_platform(inputs, &rates, structure, outputs);
+    tb_status status = locate_platform(controller, inputs, &rates, structure, outputs);
     if (status == TB_OK) {
         status = render_force(inputs, outputs);
     }
@@ -327,10 +371,9 @@ static void pass_gate(tb_controller *controller, tb_outputs *outputs)
 tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB_CABLES],
                               const real_t rails[TB_RAIL_SLOTS])
 {
-    real_t residual[1];
     *controller = at_rest;
     controller->interrupted = 1;
-    tb_status const status = tb_forward_kinematics(lengths, rails, controller->pose, residual);
+    tb_status const status = find_start(lengths, rails, controller->pose);
     if (status == TB_OK) {
         copy(TB_CABLES, lengths, controller->lengths);
         copy(TB_RAILS, rails, controller->rails);

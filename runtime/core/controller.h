@@ -24,8 +24,13 @@
  * TB_INFEASIBLE is a good cycle: the cables deliver as much of the wanted force as the machine's
  * tension policy gives; `delivered` says how much.
  *
+ * Where the pose has no closed form, its search begins at the pose of the last good cycle; one that
+ * ends without a pose (TB_INACCURATE) or at a singular one is a failed cycle like any other.
+ *
  * Arrays: cables in the order of the machine file; rails in the order of the cables that have one
- * (a machine without rails keeps one unread slot, filled with 0). */
+ * (a machine without rails keeps one unread slot, filled with 0). A platform that turns adds to
+ * positions [m] its rotation [rad], to velocities [m/s] its spin [rad/s], to forces [N] moments
+ * about its centre [N m]. */
 #ifndef TB_CONTROLLER_H
 #define TB_CONTROLLER_H
 
@@ -84,6 +89,8 @@ typedef struct {
 } tb_controller;
 
 /** Start at rest, with no torque on any motor; the first cycles raise it at the gate's rate.
+ *  Where the pose has no closed form (tb_machine.h has TB_START_POSE) it is searched from there: the
+ *  platform should be near the target's centre, and about upright.
  *  lengths [m] (TB_CABLES), rails [m] (TB_RAIL_SLOTS): the measurements at this moment.
  *  Returns the status of their forward kinematics. When it is not TB_OK the controller is started
  *  all the same: its cycles fail safely until a good measurement comes. */

@@ -30,12 +30,19 @@ class Dual:
         return Dual(root, self.rate / (2 * root))
 
 
+def arctan2(y: Dual, x: Dual) -> Dual:
+    square = x.value**2 + y.value**2
+    return Dual(np.arctan2(y.value, x.value), (x.value * y.rate - y.value * x.rate) / square)
+
+
 def constant(value: float) -> Dual:
     return Dual(np.asarray(value), np.asarray(0.0))
 
 
-def variables(values: Array, moving: int) -> list[Dual]:
-    """The entries (k, m) of an argument as dual numbers, of which one moves at rate one."""
-    return [
-        Dual(column, np.full(len(values), float(i == moving))) for i, column in enumerate(values.T)
-    ]
+def dot(a: list[Dual], b: list[Dual]) -> Dual:
+    products = [x * y for x, y in zip(a, b, strict=True)]
+    return sum(products[1:], products[0])
+
+
+def vector(values: tuple[float, ...]) -> list[Dual]:
+    return [constant(value) for value in values]

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.expectation import amplification, smallest_singular_value
+from codegen.judges.conditioning import smallest_singular_value
+from codegen.judges.tensions import amplification
 from model.machine import Machine
 
 Array = NDArray[Any]

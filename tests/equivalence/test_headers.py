@@ -5,8 +5,9 @@ import pytest
 
 from codegen.accuracy import Accuracy
 from codegen.bind import REALS, Generated
-from codegen.expectation import JUDGES, Problem
 from codegen.generate import Model
+from codegen.judges import JUDGES
+from codegen.judges.problem import Problem
 from codegen.samples import Sampler
 from codegen.verify import call, drawn
 from model.machine import Machine

@@ -9,8 +9,9 @@ from kkt import EPSILON, KnownProblems, conditioned, known_problems, wrench_roun
 from numpy.typing import NDArray
 
 from codegen.bind import Generated
-from codegen.expectation import Problem, distribution
 from codegen.hard_cases import HardSampler
+from codegen.judges.problem import Problem
+from codegen.judges.tensions import distribution
 from codegen.samples import Sampler
 from model.machine import Machine
 from model.reference.optimality import optimality_gap

@@ -4,8 +4,9 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from codegen.composite import cost, fingerprint
 from codegen.evaluate import DOUBLE, evaluate
-from codegen.ir import Op, Routine, cost, fingerprint
+from codegen.ir import Op, Routine
 from codegen.lower import LoweringError, lower
 from codegen.simplify import simplify
 from model.symbolic.function import ModelFunction, make_input, vector_output

@@ -1,5 +1,7 @@
 """The reference pose quality against the published numbers and brute force."""
 
+from itertools import product
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -8,6 +10,7 @@ from model.machine import Cable, Machine, load_machine
 from model.reference.control import base_targets
 from model.reference.kinematics import structure_matrix
 from model.reference.quality import (
+    capacity_margin,
     isotropic_force,
     isotropic_force_eq17,
     tension_factor,
@@ -150,7 +153,7 @@ def test_equation_17_is_never_too_high_with_any_number_of_cables(cables: int) ->
 def test_the_order_of_the_cables_does_not_matter() -> None:
     points = [(0, 0), (WIDTH, 0), (WIDTH, HEIGHT), (0, HEIGHT)]
     shuffled = fixed_machine([points[i] for i in (2, 0, 3, 1)])
-    for quality in (isotropic_force, isotropic_force_eq17, tension_factor):
+    for quality in (isotropic_force, isotropic_force_eq17, tension_factor, capacity_margin):
         there, here = (quality(m, screen(), NO_RAILS) for m in (shuffled, DIAGONAL))
         assert np.allclose(there, here, rtol=0, atol=1e-12, equal_nan=True)
 
@@ -168,6 +171,30 @@ def test_outside_the_workspace_the_force_is_zero_and_the_rest_undefined() -> Non
     assert isotropic_force(DIAGONAL, outside, NO_RAILS) == 0
     for quality in (isotropic_force_eq17, tension_factor, zero_wrench_tension):
         assert np.all(np.isnan(quality(DIAGONAL, outside, NO_RAILS)))
+
+
+def test_the_margin_is_the_isotropic_force_inside_and_negative_outside() -> None:
+    margin = capacity_margin(DIAGONAL, screen(), NO_RAILS)
+    inside = np.isfinite(tension_factor(DIAGONAL, screen(), NO_RAILS))
+    assert np.array_equal(margin >= 0, inside)
+    force = isotropic_force(DIAGONAL, screen(), NO_RAILS)
+    assert np.allclose(np.maximum(margin[inside], 0), force[inside], rtol=0, atol=16 * NEWTON)
+
+
+@pytest.mark.parametrize("cables", [3, 4, 6])
+def test_the_margin_is_the_distance_from_the_nearest_facet_by_all_vertices(cables: int) -> None:
+    machine = ring(cables)
+    bounds = machine.tension.min, machine.tension.max
+    vertices = np.array(list(product(*[bounds] * cables)))
+    outside = 0
+    for pose in 2 + np.random.default_rng(cables).uniform(-0.8, 0.8, (50, 2)):
+        columns = structure_matrix(machine, pose, NO_RAILS)
+        normals = np.stack([columns[1], -columns[0]], axis=-1)
+        support = [np.max(vertices @ columns.T @ p) for p in (*normals, *-normals)]
+        margin = float(capacity_margin(machine, pose, NO_RAILS))
+        outside += margin < 0
+        assert margin == pytest.approx(min(support), rel=0, abs=100 * NEWTON)
+    assert 5 < outside < 45
 
 
 def test_quality_keeps_long_double() -> None:

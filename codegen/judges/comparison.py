@@ -1,0 +1,211 @@
+"""What the reference expects of the methods to compare with, and how nearly.
+
+Which set of cables qualifies, or which one is adjacent, is decided by a comparison, and rounding
+may choose either side of it. So the reference is asked again with the columns of S and the wrench a
+hair off, either way: what that moves is allowed, and where it turns an answer into none, or back,
+either status is.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from codegen.judges.problem import (
+    ROUNDINGS,
+    Bools,
+    Expected,
+    Judge,
+    Problem,
+    Wide,
+    broadcast,
+    statuses,
+)
+from codegen.judges.tensions import RANK_FACTOR, TENSION_ROUNDINGS, rank_limit
+from model.machine import Machine
+from model.reference import brau
+from model.reference.arrays import norm
+from model.reference.kinematics import moment_lever
+from model.symbolic import comparison
+from model.symbolic.function import Status
+from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS
+
+#: What is moved in so many random directions, either way, may in truth move by so much more.
+DIRECTIONS, MARGIN = 2, 4.0
+
+Method = Callable[[Wide, Wide], Wide]
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A result (count, *shape), NaN or infinite where there is none; how much rounding moves it.
+
+    `some` and `none`: where there may be a result, and where there may be none.
+    """
+
+    value: Wide
+    slack: Wide
+    some: Bools
+    none: Bools
+
+
+def moved(p: Problem, other: Wide, method: Method) -> Moved:
+    """A method of S and a second argument, with both as they are and a hair off."""
+    random = np.random.default_rng(1)
+    structure, hair = p["structure"], TENSION_ROUNDINGS * p.epsilon
+    size = norm(other)[:, None] if other.ndim > 1 else np.abs(other)
+    results = [method(structure, other)]
+    for _ in range(DIRECTIONS):
+        turn = random.standard_normal(structure.shape)
+        stretch = random.uniform(0, 1, structure.shape[-1])
+        push = size * random.standard_normal(other.shape)
+        for move in (hair, -hair):
+            results.append(method(structure * (1 + move * stretch), other + move * push))
+            results.append(method(structure + move * turn, other))
+    rows = [np.isfinite(r).reshape(p.count, -1).all(axis=1) for r in results]
+    value = results[0]
+    with np.errstate(invalid="ignore"):
+        gaps = [np.abs(r - value) for r in results[1:]]
+    largest = np.max([np.where(np.isnan(gap), np.inf, gap) for gap in gaps], axis=0)
+    own = ROUNDINGS * p.epsilon * np.max(np.abs(value).reshape(p.count, -1), axis=1)
+    slack = MARGIN * largest + broadcast(own, value)
+    some, every = np.logical_or.reduce(rows), np.logical_and.reduce(rows)
+    return Moved(value, np.where(np.isnan(slack), np.inf, slack), some, ~every)
+
+
+def told(
+    p: Problem, found: Moved, instead: float, faults: dict[Status, tuple[Bools, Bools]]
+) -> Expected:
+    """Tensions, or a number instead where there are none."""
+    lacking = ~np.isfinite(found.value)
+    whole = lacking.reshape(p.count, -1).any(axis=1)
+    value = np.where(spread(whole, found.value), np.longdouble(instead), found.value)
+    normal = {Status.OK: found.some, Status.INFEASIBLE: found.none}
+    # where either is right, neither value is wrong
+    doubtful = spread(found.some & found.none, value)
+    slack = np.where(doubtful, np.inf, np.where(lacking, 0, found.slack))
+    allowed = statuses(p.count, normal, faults)
+    return Expected({"tension": value}, {"tension": slack}, allowed, beside_header=False)
+
+
+def spread(holds: Any, like: Wide) -> Bools:
+    """What holds at a point (count), in the shape of a result."""
+    points: Bools = np.asarray(holds, dtype=bool).reshape(-1, *[1] * (like.ndim - 1))
+    return np.broadcast_to(points, like.shape)
+
+
+def out_of_reach(p: Problem, found: Moved) -> Moved:
+    """Where the reference needs tensions so large that rounding may find none at all."""
+    limit = p["force"] / (RANK_FACTOR**2 * comparison.PARALLEL * p.epsilon)
+    largest = np.max(np.nan_to_num(found.value).reshape(p.count, -1), axis=1)
+    return replace(found, none=found.none | (largest > limit))
+
+
+def weighed(p: Problem) -> Wide:
+    """S with moments over the lever."""
+    lever = moment_lever(p.machine, p["structure"].dtype)
+    return np.asarray(p["structure"] / lever[:, None])
+
+
+def least_singular_value(matrix: Wide) -> Wide:
+    """Of matrices (..., d, k); in double precision, which is enough to compare with limits."""
+    return np.asarray(np.linalg.svd(matrix.astype(float), compute_uv=False)[..., -1])
+
+
+def rank(p: Problem) -> tuple[Bools, Bools]:
+    """Where S must, and may, count as singular: by the pivots of a factorisation, or sooner."""
+    matrix, limit = weighed(p), rank_limit(p.epsilon)
+    triangle = np.linalg.qr(np.swapaxes(matrix, -1, -2).astype(float), mode="r")
+    pivot = np.min(np.abs(np.diagonal(triangle, axis1=-2, axis2=-1)), axis=-1)
+    return pivot < limit / RANK_FACTOR, least_singular_value(matrix) < limit * RANK_FACTOR
+
+
+def kernel_tension(p: Problem) -> Expected:
+    """More redundant cables are solved like Yoon's eq. 22: up to a residual of its own."""
+    machine = p.machine
+    found = moved(p, p["wrench"], lambda s, w: brau.kernel_tension(machine, s, w))
+    singular = rank(p)
+    largest = np.max(np.where(np.isfinite(found.value), found.value, 0), axis=-1)
+    least = np.maximum(least_singular_value(weighed(p)), rank_limit(p.epsilon))
+    rounding = RANK_FACTOR * KKT_TOLERANCE * p.epsilon * np.maximum(largest, machine.tension.max)
+    doubtful = singular[1] | (rounding > LARGEST_MISS * machine.tension.max * least)
+    unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
+    return told(p, unsure, machine.tension.min, {Status.SINGULAR: singular})
+
+
+def reduced_matrix_tension(p: Problem) -> Expected:
+    """A set that is nearly dependent is passed over: where it is the best, anything is right."""
+    machine = p.machine
+    found = moved(p, p["wrench"], lambda s, w: brau.reduced_matrix_tension(machine, s, w))
+    near = least_of_sets(p) < RANK_FACTOR * rank_limit(p.epsilon)
+    bears = np.where(np.isfinite(found.value), found.value, 0) > machine.tension.min
+    doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p)[1]
+    unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
+    return told(p, unsure, machine.tension.min, {})
+
+
+def least_of_sets(p: Problem) -> Wide:
+    """How nearly dependent any d cables are (count)."""
+    matrix = weighed(p)
+    sets = combinations(range(matrix.shape[-1]), matrix.shape[-2])
+    each = [least_singular_value(matrix[..., list(chosen)]) for chosen in sets]
+    return np.asarray(np.min(each, axis=0))
+
+
+def in_proportion(p: Problem, method: Callable[[Machine, Wide, float], Wide]) -> Method:
+    """Tensions that grow with the force: no force asks for none, even where a unit has no limit."""
+
+    def tensions(structure: Wide, force: Wide) -> Wide:
+        return np.asarray(method(p.machine, structure, 1.0) * force[:, None])
+
+    return tensions
+
+
+def largest_tensions_eq12(p: Problem) -> Expected:
+    """A set of dependent cables is a fault; it counts as that by pivots of all its facets."""
+    found = moved(p, p["force"], in_proportion(p, brau.largest_tensions_eq12))
+    least, limit = least_of_sets(p), rank_limit(p.epsilon)
+    singular = (least < limit / RANK_FACTOR / p.machine.dof, least < limit * RANK_FACTOR)
+    some = Moved(
+        np.where(np.isfinite(found.value), found.value, 0),
+        np.where(np.isfinite(found.value), found.slack, np.inf),
+        np.ones(p.count, dtype=bool),
+        np.zeros(p.count, dtype=bool),
+    )
+    return told(p, some, 0.0, {Status.SINGULAR: singular})
+
+
+def largest_tensions_eq17(p: Problem) -> Expected:
+    """Of cables in one direction either is the adjacent one."""
+    found = moved(p, p["force"], in_proportion(p, brau.largest_tensions_eq17))
+    rays = np.swapaxes(p["structure"], -1, -2)
+    along = np.einsum("kid,kjd->kij", rays, rays)
+    sine = rays[:, :, None, 0] * rays[:, None, :, 1] - rays[:, :, None, 1] * rays[:, None, :, 0]
+    hair = TENSION_ROUNDINGS * p.epsilon
+    same = (np.abs(sine) < hair) & (along > 0) & ~np.eye(rays.shape[1], dtype=bool)
+    doubtful = np.any(same, axis=(1, 2))
+    slack = np.where(doubtful[:, None], np.inf, found.slack)
+    return told(p, out_of_reach(p, replace(found, slack=slack)), 0.0, {})
+
+
+def largest_tension(p: Problem) -> Expected:
+    """The reference takes one force: S over it makes that 1; no force is a case of its own."""
+
+    def least(structure: Wide, force: Wide) -> Wide:
+        without = force <= 0
+        size = np.where(without, 1, force)
+        some = brau.largest_tension(p.machine, structure / size[:, None, None], 1.0)
+        return np.where(without, brau.largest_tension(p.machine, structure, 0.0), some)
+
+    return told(p, out_of_reach(p, moved(p, p["force"], least)), 0.0, {})
+
+
+JUDGES: dict[str, Judge] = {
+    "kernel_tension": kernel_tension,
+    "reduced_matrix_tension": reduced_matrix_tension,
+    "largest_tensions_eq12": largest_tensions_eq12,
+    "largest_tensions_eq17": largest_tensions_eq17,
+    "largest_tension": largest_tension,
+}

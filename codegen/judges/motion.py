@@ -1,0 +1,320 @@
+"""What is expected of functions of position: kinematics, and forces between the parts."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from codegen.judges.conditioning import least_pivot, smallest_singular_value
+from codegen.judges.problem import (
+    ROUNDINGS,
+    Bools,
+    Expected,
+    Problem,
+    Wide,
+    always,
+    below,
+    everywhere,
+    expected,
+    extent,
+    levers,
+    statuses,
+    union,
+)
+from model.reference import kinematics, statics
+from model.reference.arrays import norm
+from model.symbolic.forward_kinematics import FITTED_ROUNDINGS, needs_guess
+from model.symbolic.function import Status
+from model.symbolic.kinematics import CONTACT_DISTANCE, PIVOT_ROUNDINGS, SMALLEST_PIVOT
+
+#: A search from a guess may give up where the lengths change little with the pose.
+SEARCH_DOUBT = 0.05
+
+
+def clearance(p: Problem, pose: Wide) -> Wide:
+    """The least distance (count) [m] without which a cable has no direction; 0 inside a pulley."""
+    machine, rails = p.machine, p["rails"]
+    free = norm(kinematics.cable_vectors(machine, pose, rails))
+    arms = kinematics.anchor_points(machine, pose) - kinematics.base_points(machine, rails)
+    for i, pulley in enumerate(machine.pulleys):
+        if pulley is not None and pulley.axis:
+            axis = np.asarray(pulley.axis, np.longdouble)
+            aside = arms[:, i] - np.sum(arms[:, i] * axis, axis=-1)[:, None] * axis
+            free[:, i] = np.minimum(free[:, i], norm(aside))
+    return np.asarray(np.min(np.where(np.isnan(free), 0, free), axis=-1))
+
+
+def nearest_pulley(p: Problem) -> Wide:
+    """Clearance (count) [m] at the pose that is asked about."""
+    return clearance(p, p["pose"])
+
+
+def rim_gain(p: Problem) -> float:
+    """How much the clearance of a pulley's rim loses: the root of what is left of a square."""
+    radii = [pulley.radius for pulley in p.machine.pulleys if pulley is not None]
+    return 1 + max(radii, default=0.0) / CONTACT_DISTANCE
+
+
+def touching(p: Problem) -> tuple[Bools, Bools]:
+    """Where the platform touches a pulley."""
+    slack = ROUNDINGS * p.epsilon * extent(p.machine) * rim_gain(p)
+    return below(nearest_pulley(p), CONTACT_DISTANCE, slack)
+
+
+def direction_gain(p: Problem) -> Wide:
+    """Rounding of S over that of a coordinate: one over the distance to the pulley."""
+    return 1 + extent(p.machine) / np.maximum(nearest_pulley(p), CONTACT_DISTANCE / 2)
+
+
+def away_from_pulleys(p: Problem, sensitive: bool, **values: Wide) -> Expected:
+    """A function that refuses at a pulley; `sensitive`: directions lose what the distance does."""
+    distance = np.maximum(nearest_pulley(p), CONTACT_DISTANCE / 2)
+    gain = extent(p.machine) / distance if sensitive else np.ones_like(distance)
+    slack: dict[str, Wide | float] = {
+        name: 8 * p.epsilon * gain * float(np.nanmax(np.abs(value), initial=0))
+        for name, value in values.items()
+    }
+    faults = {Status.SINGULAR: touching(p)}
+    return expected(p, values, slack, statuses(p.count, {Status.OK: always(p.count)}, faults))
+
+
+def base_points(p: Problem) -> Expected:
+    return everywhere(p, points=kinematics.base_points(p.machine, p["rails"]))
+
+
+def cable_vectors(p: Problem) -> Expected:
+    return everywhere(p, vectors=kinematics.cable_vectors(p.machine, p["pose"], p["rails"]))
+
+
+def cable_lengths(p: Problem) -> Expected:
+    length = kinematics.cable_lengths(p.machine, p["pose"], p["rails"])
+    return away_from_pulleys(p, False, length=length)
+
+
+def structure_matrix(p: Problem) -> Expected:
+    structure = kinematics.structure_matrix(p.machine, p["pose"], p["rails"])
+    return away_from_pulleys(p, True, structure=structure)
+
+
+def length_jacobian(p: Problem) -> Expected:
+    jacobian = kinematics.length_jacobian(p.machine, p["pose"], p["rails"])
+    return away_from_pulleys(p, True, jacobian=jacobian)
+
+
+def rail_jacobian(p: Problem) -> Expected:
+    jacobian = kinematics.rail_jacobian(p.machine, p["pose"], p["rails"])
+    return away_from_pulleys(p, True, jacobian=jacobian)
+
+
+def rail_forces(p: Problem) -> Expected:
+    force = statics.rail_forces(p.machine, p["pose"], p["rails"], p["tension"])
+    return away_from_pulleys(p, True, force=force)
+
+
+def smallest_pivot(p: Problem) -> float:
+    """Below this a pivot of S S' counts as zero."""
+    return max(SMALLEST_PIVOT, PIVOT_ROUNDINGS * p.epsilon)
+
+
+def comparable(p: Problem, rows: Wide) -> Wide:
+    """Rows of a length Jacobian (count, n, d) per (v, lever w), so that norms make sense."""
+    return np.asarray(rows / levers(p.machine))
+
+
+def task_velocity(p: Problem) -> Expected:
+    """Least squares by the normal equations: loses what the pivot does, once for the answer and
+    once for the rates; rounding in directions is as for the structure matrix."""
+    arguments = (p["pose"], p["rails"], p["length_rates"], p["rail_rates"])
+    velocity = kinematics.task_velocity(p.machine, *arguments)
+    rows = comparable(p, kinematics.length_jacobian(p.machine, p["pose"], p["rails"]))
+    gain = direction_gain(p)
+    slack = ROUNDINGS * p.epsilon * gain * rates(p, velocity) / squared_least(p, rows)
+    faults = {Status.SINGULAR: union(touching(p), flat(p, rows, ROUNDINGS * p.epsilon * gain))}
+    allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
+    return expected(p, {"velocity": velocity}, {"velocity": per_twist(p, slack)}, allowed)
+
+
+def rates(p: Problem, velocity: Wide) -> Wide:
+    """Size (count) [m/s] of all speeds."""
+    moving = norm(velocity * levers(p.machine))
+    return np.asarray(norm(p["length_rates"]) + norm(p["rail_rates"]) + moving)
+
+
+def squared_least(p: Problem, rows: Wide) -> Wide:
+    """Smallest eigenvalue (count) of rows' rows, not below what counts as singular."""
+    return np.maximum(smallest_singular_value(rows) ** 2, smallest_pivot(p) / 4)
+
+
+def flat(p: Problem, rows: Wide, slack: Wide) -> tuple[Bools, Bools]:
+    """Where the rows (count, n, d), off by `slack`, must and may count as dependent."""
+    finite = np.where(np.isfinite(rows), rows, 0)
+    must, may = below(least_pivot(finite), smallest_pivot(p), np.minimum(slack, 1.0))
+    return must, may | np.any(~np.isfinite(rows), axis=(-2, -1))
+
+
+def per_twist(p: Problem, slack: Wide) -> Wide:
+    """A tolerance for (v, lever w) as one for every entry of a twist or pose (count, d)."""
+    return np.asarray(slack[:, None] / levers(p.machine))
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """Where the reference finds the platform from lengths, and how nearly the C can.
+
+    `slack` [m] is that of (c, lever rotation); `doubtful`: where a search may end elsewhere.
+    """
+
+    found: kinematics.ForwardKinematics
+    slack: Wide
+    nearest: Wide
+    rows: Wide
+    lost: tuple[Bools, Bools]
+    doubtful: Bools
+
+
+def fixed(p: Problem) -> Fixed:
+    """Where the reference finds the platform."""
+    return searched(p) if needs_guess(p.machine) else closed(p)
+
+
+def closed(p: Problem) -> Fixed:
+    """The closed form loses what the spread of the bases does; the step returns all but a square of
+    that, and loses what the pivot of the directions does."""
+    found = kinematics.forward_kinematics(p.machine, p["lengths"], p["rails"])
+    points = kinematics.base_points(p.machine, p["rails"])
+    arms = points - np.mean(points, axis=-2, keepdims=True)
+    size, spread = np.sum(arms**2, axis=(-2, -1)), least_pivot(arms)
+    limit = (1e-4 * extent(p.machine)) ** 2
+    collinear = below(spread, limit, ROUNDINGS * p.epsilon * size)
+    vectors = points - found.pose[:, None, :]
+    distance = np.maximum(norm(vectors), CONTACT_DISTANCE / 2)
+    rows = vectors / distance[..., None]
+    pivot = np.maximum(least_pivot(rows), smallest_pivot(p) / 2)
+    reach = np.sqrt(size) + np.max(p["lengths"], axis=-1)
+    least = np.minimum(spread, smallest_singular_value(arms) ** 2)
+    closed_form = ROUNDINGS * p.epsilon * reach * size / np.maximum(least, limit / 2)
+    at_pulley = below(np.min(norm(vectors), axis=-1), CONTACT_DISTANCE, closed_form)
+    nearest = np.min(distance, axis=-1)
+    pivot = np.minimum(pivot, squared_least(p, rows))
+    second_order = closed_form**2 / np.minimum(nearest, 1) / pivot
+    slack = np.minimum(closed_form, second_order + ROUNDINGS * p.epsilon * reach / pivot)
+    nowhere = np.any(np.isnan(found.pose), axis=-1)
+    lost = union(collinear, at_pulley, (nowhere, nowhere))
+    return Fixed(found, np.asarray(slack), nearest, rows, lost, ~always(p.count))
+
+
+def searched(p: Problem) -> Fixed:
+    """A search ends when a step changes the lengths by no more than rounding."""
+    found = kinematics.forward_kinematics(p.machine, p["lengths"], p["rails"], p["guess"])
+    rows = comparable(p, kinematics.length_jacobian(p.machine, found.pose, p["rails"]))
+    finite = np.where(np.isfinite(rows), rows, 0)
+    nearest = clearance(p, found.pose)
+    touched = below(nearest, CONTACT_DISTANCE, ROUNDINGS * p.epsilon * extent(p.machine))
+    least = np.sqrt(squared_least(p, finite))
+    roundings = FITTED_ROUNDINGS + ROUNDINGS
+    slack = roundings * p.epsilon * np.sum(p.machine.frame.size) / least**2
+    # from a guess on another side of a pulley, or where cables hardly tell the pose, it may fail
+    off = norm((p["guess"] - found.pose) * levers(p.machine))
+    far = nearest < 2 * off
+    doubtful = (least < SEARCH_DOUBT) | far | ~np.isfinite(norm(found.pose))
+    lost = union(touched, (np.zeros(p.count, bool), doubtful))
+    return Fixed(found, slack, np.maximum(nearest, CONTACT_DISTANCE / 2), rows, lost, doubtful)
+
+
+def fix_faults(
+    p: Problem, at: Fixed, lost: tuple[Bools, Bools]
+) -> dict[Status, tuple[Bools, Bools]]:
+    """Faults of functions that find the platform."""
+    faults = {Status.SINGULAR: lost}
+    if needs_guess(p.machine):
+        faults[Status.INACCURATE] = (~always(p.count), at.doubtful)
+    return faults
+
+
+def forward_kinematics(p: Problem) -> Expected:
+    """Judges tb_forward_kinematics."""
+    at = fixed(p)
+    lost = union(at.lost, flat(p, at.rows, at.slack)) if needs_guess(p.machine) else at.lost
+    faults = fix_faults(p, at, lost)
+    allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
+    slack = np.where(at.doubtful, np.inf, at.slack)
+    values = {"pose": at.found.pose, "residual": at.found.residual}
+    return expected(p, values, {"pose": per_twist(p, slack), "residual": 2 * slack}, allowed)
+
+
+def locate(p: Problem) -> Expected:
+    """As forward_kinematics; a pose that is off turns the directions, the more the nearer."""
+    at = fixed(p)
+    pose = at.found.pose
+    velocity = kinematics.task_velocity(
+        p.machine, pose, p["rails"], p["length_rates"], p["rail_rates"]
+    )
+    turn = (at.slack + ROUNDINGS * p.epsilon * extent(p.machine)) * arm_share(p) / at.nearest
+    off = np.where(at.doubtful, np.inf, ROUNDINGS * p.epsilon + turn)
+    drift = off * rates(p, velocity) / squared_least(p, np.where(np.isfinite(at.rows), at.rows, 0))
+    slack = np.where(at.doubtful, np.inf, at.slack)
+    values = {
+        "pose": pose,
+        "residual": at.found.residual,
+        "structure": kinematics.structure_matrix(p.machine, pose, p["rails"]),
+        "velocity": velocity,
+    }
+    tolerance: dict[str, Wide | float] = {
+        "pose": per_twist(p, slack),
+        "residual": 2 * slack,
+        "structure": np.where(at.doubtful, np.inf, turn + slack * arm_share(p)),
+        "velocity": per_twist(p, drift),
+    }
+    faults = fix_faults(p, at, union(at.lost, flat(p, at.rows, off)))
+    allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
+    return replace(expected(p, values, tolerance, allowed), beside_header=False)
+
+
+def arm_share(p: Problem) -> float:
+    """How much farther an anchor moves than (c, lever rotation)."""
+    if not p.machine.is_rigid:
+        return 1.0
+    longest = max(float(np.linalg.norm(anchor)) for anchor in p.machine.anchors)
+    return 1 + longest / p.machine.lever
+
+
+def wrench(p: Problem) -> Expected:
+    return everywhere(p, wrench=statics.wrench(p.machine, p["structure"], p["tension"]))
+
+
+def wrench_share_eq10(p: Problem) -> Expected:
+    """Weighted by the lengths, the normal equations lose the square of what the lengths differ."""
+    share = statics.wrench_share_eq10(p.machine, p["pose"], p["rails"], p["wrench"])
+    rows = comparable(p, kinematics.length_jacobian(p.machine, p["pose"], p["rails"]))
+    finite = np.where(np.isfinite(rows), rows, 0)
+    free = norm(kinematics.cable_vectors(p.machine, p["pose"], p["rails"]))
+    free = np.where(np.isnan(free), 0, free)
+    weighted = smallest_singular_value(finite * free[..., None])
+    longest = np.max(free, axis=-1)
+    floor = np.sqrt(squared_least(p, finite)) * np.min(free, axis=-1)
+    condition = (longest / np.maximum(np.maximum(weighted, floor), 1e-30)) ** 2
+    size = norm(p["wrench"] / levers(p.machine)) + norm(np.where(np.isnan(share), 0, share))
+    gain = direction_gain(p)
+    slack = ROUNDINGS * p.epsilon * gain * condition * size
+    faults = {Status.SINGULAR: union(touching(p), flat(p, rows, ROUNDINGS * p.epsilon * gain))}
+    allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
+    return expected(p, {"share": share}, {"share": slack}, allowed)
+
+
+JUDGES: dict[str, Callable[[Problem], Expected]] = {
+    judge.__name__: judge
+    for judge in (
+        base_points,
+        cable_vectors,
+        cable_lengths,
+        structure_matrix,
+        length_jacobian,
+        rail_jacobian,
+        task_velocity,
+        forward_kinematics,
+        locate,
+        wrench,
+        wrench_share_eq10,
+        rail_forces,
+    )
+}

@@ -1,0 +1,46 @@
+"""Functions outside a machine's model, printed, compiled and loaded like the model's own."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from codegen.accuracy import Accuracy
+from codegen.bind import REALS, Generated, folder_of
+from codegen.composite import Item
+from codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
+from codegen.generate import Model, render
+from codegen.verify import call
+from model.machine import Machine
+from model.symbolic.function import Status
+
+ARITHMETIC = {"double": DOUBLE, "float": FLOAT}
+
+
+class OnlyItems(Model):
+    """Functions that no other name stands for."""
+
+    def aliases(self) -> dict[str, str]:
+        return {}
+
+
+def built(machine: Machine, items: list[Item], precision: str) -> Generated:
+    """The C of some functions, without a measured accuracy."""
+    model = OnlyItems(machine, {"tension": items})
+    files = render(model, {item.function.name: Accuracy() for item in items})
+    return Generated(machine, folder_of(machine, files), precision)
+
+
+def answered(item: Item, generated: Generated, arguments: list[NDArray[Any]]) -> None:
+    """The C answers what the evaluation says, to the bit, statuses included."""
+    real = REALS[generated.precision]
+    typed = [argument.astype(real) for argument in arguments]
+    flat = [argument.reshape(len(argument), -1) for argument in typed]
+    computed = evaluate(item, flat, ARITHMETIC[generated.precision])
+    answer = call(generated.functions[item.function.name], typed)
+    wanted = statuses(item, computed)
+    assert np.all(answer["status"] == wanted)
+    usable = (wanted <= Status.INFEASIBLE)[:, None]
+    for output, entries in zip(item.function.outputs, computed.outputs, strict=True):
+        values = np.where(usable, np.stack(entries, -1), output.fallback).astype(real)
+        assert values.tobytes() == answer[output.name].tobytes()

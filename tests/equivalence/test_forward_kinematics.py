@@ -1,0 +1,194 @@
+"""Poses from lengths of every kind of machine: found, to rounding, or not answered."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from unmeasured import EVERY_KIND, geometry, machine_named
+
+from codegen.bind import REALS, Generated
+from model.machine import Machine
+from model.symbolic.forward_kinematics import needs_guess
+from model.symbolic.function import Status
+
+Reals = NDArray[np.floating[Any]]
+POINTS = 10000
+#: A guess may be off by this share of the diagonal along every axis, and by this angle [rad].
+OFF, TURNED = 0.05, 0.2
+EPSILON = {"double": 2.0**-52, "float": 2.0**-23}
+#: Roundings of a length, over the smallest singular value of the directions.
+ROUNDINGS = 64.0
+
+SEARCHED = [name for name in EVERY_KIND if needs_guess(machine_named(name))]
+
+
+def diagonal(machine: Machine) -> float:
+    return math.hypot(*machine.frame.size)
+
+
+def in_the_target(machine: Machine, random: np.random.Generator) -> Reals:
+    """Poses of the target, turned as far as it asks for."""
+    spread = np.asarray(machine.target.size) * random.uniform(-0.5, 0.5, (POINTS, machine.space))
+    angles = random.uniform(-1, 1, (POINTS, machine.dof - machine.space))
+    angles *= machine.target.rotation / math.sqrt(max(1, angles.shape[1]))
+    return np.hstack([machine.target.centre + spread, angles])
+
+
+def rail_coordinates(machine: Machine, random: np.random.Generator) -> Reals:
+    return random.random((POINTS, len(machine.rails))) * [rail.length for rail in machine.rails]
+
+
+def near(machine: Machine, pose: Reals, random: np.random.Generator) -> Reals:
+    """Guesses of poses."""
+    off = np.full(machine.dof, OFF * diagonal(machine))
+    off[machine.space :] = TURNED
+    return pose + off * random.uniform(-1, 1, pose.shape)
+
+
+def at_the_start(machine: Machine) -> Reals:
+    """The target's centre, upright."""
+    upright = [0.0] * (machine.dof - machine.space)
+    return np.tile([*machine.target.centre, *upright], (POINTS, 1))
+
+
+def located(generated: Generated, guess: Reals, lengths: Reals, rails: Reals) -> Any:
+    """forward_kinematics with the guess that it may want."""
+    known = {"lengths": lengths, "rails": rails}
+    if needs_guess(generated.machine):
+        known["guess"] = guess
+    return generated.forward_kinematics(**known)
+
+
+def least_singular_value(generated: Generated, pose: Reals, rails: Reals) -> Reals:
+    """Of the structure matrix, moments over the lever (k)."""
+    machine = generated.machine
+    structure = np.array(generated.structure_matrix(pose, rails), dtype=float)
+    structure[:, machine.space :] /= machine.lever
+    return np.asarray(np.linalg.svd(structure, compute_uv=False)[:, -1])
+
+
+def misses(generated: Generated, from_near: bool) -> tuple[Any, NDArray[np.bool_]]:
+    """Answers for poses of the target, and where they are off by more than rounding."""
+    machine, random = generated.machine, np.random.default_rng(81)
+    real, epsilon = REALS[generated.precision], EPSILON[generated.precision]
+    pose = in_the_target(machine, random).astype(real)
+    rails = rail_coordinates(machine, random).astype(real)
+    guess = near(machine, pose, random) if from_near else at_the_start(machine)
+    found = located(generated, guess, np.asarray(generated.cable_lengths(pose, rails)), rails)
+    rounding = ROUNDINGS * epsilon * diagonal(machine) / min(1.0, machine.lever)
+    slack = rounding / least_singular_value(generated, pose, rails)
+    return found, np.max(np.abs(found.pose - pose), axis=1) > slack
+
+
+@pytest.mark.parametrize("precision", REALS)
+@pytest.mark.parametrize("name", EVERY_KIND)
+def test_every_pose_of_the_target_is_found_from_a_near_guess(name: str, precision: str) -> None:
+    generated = geometry(name, precision)
+    found, missed = misses(generated, from_near=True)
+    assert np.all(found.status == Status.OK) and not missed.any()
+    exact = ROUNDINGS * EPSILON[precision] * diagonal(generated.machine)
+    assert np.all(found.residual <= exact)
+
+
+@pytest.mark.parametrize("precision", REALS)
+@pytest.mark.parametrize("name", EVERY_KIND)
+def test_from_the_target_centre_a_wrong_pose_is_rare_and_its_residual_tells(
+    name: str, precision: str
+) -> None:
+    found, missed = misses(geometry(name, precision), from_near=False)
+    assert np.all(found.status == Status.OK) and missed.mean() <= 1e-3
+    assert np.all(found.residual[missed] > 1e-3)
+
+
+@pytest.mark.parametrize("name", SEARCHED)
+def test_lengths_that_disagree_give_the_pose_of_least_squares(name: str) -> None:
+    generated = geometry(name)
+    machine, random = generated.machine, np.random.default_rng(82)
+    pose, rails = in_the_target(machine, random), rail_coordinates(machine, random)
+    exact = np.asarray(generated.cable_lengths(pose, rails))
+    lengths = exact + 1e-4 * random.standard_normal(exact.shape)
+    found = located(generated, at_the_start(machine), lengths, rails)
+    fine = found.status == Status.OK
+    assert fine.mean() > 0.999
+    misfit = lengths - np.asarray(generated.cable_lengths(found.pose, rails))
+    assert np.allclose(found.residual, np.linalg.norm(misfit, axis=1), rtol=1e-9)
+    structure = np.asarray(generated.structure_matrix(found.pose, rails))
+    slope = np.einsum("kdn,kn->kd", structure, misfit)
+    assert np.max(np.abs(slope[fine])) < 1e-6 * 1e-4
+
+
+@pytest.mark.parametrize("name", EVERY_KIND)
+def test_locate_says_what_the_single_functions_say(name: str) -> None:
+    generated = geometry(name)
+    machine, random = generated.machine, np.random.default_rng(83)
+    pose, rails = in_the_target(machine, random), rail_coordinates(machine, random)
+    lengths = np.asarray(generated.cable_lengths(pose, rails))
+    rates = random.uniform(-1, 1, lengths.shape), random.uniform(-1, 1, rails.shape)
+    known = {"lengths": lengths, "rails": rails, "length_rates": rates[0], "rail_rates": rates[1]}
+    if needs_guess(machine):
+        known["guess"] = near(machine, pose, random)
+    at = generated.locate(**known)
+    found = located(generated, known.get("guess", pose), lengths, rails)
+    assert np.array_equal(at.pose, found.pose) and np.array_equal(at.residual, found.residual)
+    structure = np.asarray(generated.structure_matrix(at.pose, rails))
+    velocity = np.asarray(generated.task_velocity(at.pose, rails, *rates))
+    assert np.allclose(at.structure, structure, rtol=0, atol=1e-12)
+    assert np.allclose(at.velocity, velocity, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", EVERY_KIND)
+def test_the_velocity_is_that_of_a_platform_that_moves(name: str) -> None:
+    generated = geometry(name)
+    machine, random = generated.machine, np.random.default_rng(84)
+    pose, rails = in_the_target(machine, random), rail_coordinates(machine, random)
+    twist, slide = random.uniform(-1, 1, pose.shape), random.uniform(-1, 1, rails.shape)
+    reeled = np.einsum("kni,ki->kn", generated.length_jacobian(pose, rails), twist)
+    reeled += np.einsum("knm,km->kn", generated.rail_jacobian(pose, rails), slide)
+    velocity = generated.task_velocity(pose, rails, reeled, slide)
+    slack = 1e-12 / least_singular_value(generated, pose, rails)[:, None] ** 2 / machine.lever
+    assert np.all(np.abs(np.asarray(velocity) - twist) <= slack)
+
+
+@pytest.mark.parametrize("precision", REALS)
+@pytest.mark.parametrize("name", SEARCHED)
+def test_a_search_from_anywhere_answers_a_fit_or_a_fault(name: str, precision: str) -> None:
+    generated = geometry(name, precision)
+    machine, random = generated.machine, np.random.default_rng(85)
+    guess = random.uniform(-1, 1, (POINTS, machine.dof)) * [
+        *machine.frame.size,
+        *[machine.rotation] * (machine.dof - machine.space),
+    ]
+    lengths = random.uniform(0, 2 * diagonal(machine), (POINTS, len(machine.cables)))
+    found = located(generated, guess, lengths, rail_coordinates(machine, random))
+    assert np.all(np.isfinite(found.pose)) and np.all(np.isfinite(found.residual))
+    assert set(np.unique(found.status)) <= {Status.OK, Status.SINGULAR, Status.INACCURATE}
+    faults = found.status != Status.OK
+    assert np.any(found.status == Status.INACCURATE)
+    assert np.all(found.pose[faults] == 0)
+
+
+@pytest.mark.parametrize("name", SEARCHED)
+def test_a_guess_at_a_pulley_is_singular(name: str) -> None:
+    generated = geometry(name)
+    machine = generated.machine
+    cable = next(i for i, pulley in enumerate(machine.pulleys) if pulley)
+    rails = [rail.length / 2 for rail in machine.rails]
+    base = np.asarray(machine.base_motions[cable].point(rails))
+    guess = np.zeros(machine.dof)
+    guess[: machine.space] = base - machine.anchors[cable]
+    lengths = np.full(len(machine.cables), 0.3)
+    assert located(generated, guess, lengths, np.asarray(rails)).status == Status.SINGULAR
+
+
+@pytest.mark.parametrize("name", SEARCHED)
+def test_a_guess_beyond_the_domain_is_refused(name: str) -> None:
+    generated = geometry(name)
+    machine = generated.machine
+    lengths, rails = np.full(len(machine.cables), 0.3), np.zeros(len(machine.rails))
+    for wrong in (math.nan, 1e6):
+        for entry in range(machine.dof):
+            guess = at_the_start(machine)[0]
+            guess[entry] = wrong
+            assert located(generated, guess, lengths, rails).status == Status.OUT_OF_DOMAIN
