@@ -1,4 +1,4 @@
-"""The command line: check a machine file, generate its C, verify it, try it on the bench.
+"""The command line: check a machine file, analyze it, generate its C, verify it, try it.
 
 Exit status: 0 done; 1 the check failed; 2 it cannot be done, and the message says why; 3 nothing
 better was found; 130 the user stopped it. What a command finds goes to stdout, what it says about
@@ -12,7 +12,7 @@ import json
 import math
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from importlib.metadata import version
 from pathlib import Path
@@ -56,6 +56,21 @@ Seed = Annotated[
     int, typer.Option(metavar="N", min=0, help="The same seed tries the same machines.")
 ]
 
+
+def as_length(millimetres: float) -> float:
+    """Refuse what is no finite length."""
+    if not math.isfinite(millimetres):
+        raise typer.BadParameter("a finite number of millimetres is due")
+    return millimetres
+
+
+Lag = Annotated[
+    float,
+    typer.Option(
+        metavar="MM", min=0, callback=as_length, help="How far late bases are behind the hand."
+    ),
+]
+
 app = typer.Typer(
     add_completion=False,
     no_args_is_help=True,
@@ -96,6 +111,7 @@ def describe_turnbuckle(
     \b
     Example, from nothing to numbers:
       turnbuckle check    machines/yoon2023.toml
+      turnbuckle analyze  machines/yoon2023.toml
       turnbuckle generate machines/yoon2023.toml
       turnbuckle verify   machines/yoon2023.toml
       turnbuckle demo     machines/yoon2023.toml
@@ -132,11 +148,19 @@ def generate(
             show_default=False,
         ),
     ] = None,
+    strict: Annotated[
+        bool,
+        typer.Option("--strict", help="Write nothing if the target's force is not to be had."),
+    ] = False,
 ) -> None:
     """Write the C of a machine.
 
     Files are left alone when nothing changed. The first time, measuring the
     accuracy of every function takes a while; the measurements are kept.
+
+    Warns where the cables cannot give the wanted force (and moment) in all of
+    the target, judged on a coarse grid; with --strict that is a failure, with
+    exit status 1. The command analyze looks more closely.
 
     \b
     Example:
@@ -146,16 +170,32 @@ def generate(
     with errors_in_words():
         machine = read(file)
         folder = out or Path("generated") / machine.name
+        warn_of_weakness(machine, strict)
         with working(f"generating {machine.name}"):
             files, changed = write_changed(machine, folder)
         say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
 
 
+def warn_of_weakness(machine: Machine, strict: bool) -> None:
+    """Say so where the target does not get what it wants, and end if the user is strict."""
+    from model.workspace.summary import coarse_grid, coverage
+    from model.workspace.words import coverage_in_words
+
+    found = coverage(machine, coarse_grid(machine))
+    if found.complete:
+        return
+    message = f"{machine.path}: the cables give {coverage_in_words(machine, found)}"
+    if strict:
+        fail(f"{message}; nothing was written", FAILED_CHECK)
+    complain(f"warning: {message}")
+
+
 def write_changed(machine: Machine, folder: Path) -> tuple[dict[str, str], bool]:
     """The generated files of a machine, and whether the folder had to be written."""
-    from codegen.generate import generate, refuse_foreign, write
+    from codegen.folder import refuse_foreign
+    from codegen.generate import MANIFEST, generate, write
 
-    refuse_foreign(folder)  # before the long work rather than after it
+    refuse_foreign(folder, MANIFEST)  # before the long work rather than after it
     files = generate(machine)
     changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
     if changed:
@@ -298,6 +338,89 @@ def failure_in_words(row: Row) -> str:
     if row.disagreements:
         reasons.append(f"{row.disagreements} wrong answers ({row.first_disagreement})")
     return f"FAILED {row.function}, {row.output}, {row.precision}: {'; '.join(reasons)}"
+
+
+@app.command()
+def analyze(
+    file: MachineFile,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Folder for report, numbers and maps.  [default: build/analysis/<name>]",
+            show_default=False,
+        ),
+    ] = None,
+    lag: Lag = 20.0,
+) -> None:
+    """Say whether a geometry is any good, before metal is cut.
+
+    Writes report.md, analysis.json and maps as PNG: the force there is in
+    every direction, the margin of what the target wants, the motor torque it
+    takes, and more. Exit status 1 if the target does not get what it wants
+    everywhere, or not from these motors.
+
+    \b
+    Example:
+      turnbuckle analyze machines/yoon2023.toml --out analysis --lag 10
+    """
+    with errors_in_words():
+        machine = read(file)
+        folder = out or Path("build/analysis") / machine.name
+        from lab.analysis.analyze import analyze as look_at
+        from lab.analysis.report import rows, verdict
+
+        with progress() as tell:
+            findings = look_at(machine, folder, lag / 1e3, tell)
+        show_rows(["", machine.name], rows(findings))
+        typer.echo(f"{verdict(findings)}\nreport: {folder / 'report.md'}")
+    if not findings.target.passed:
+        raise typer.Exit(FAILED_CHECK)
+
+
+@app.command()
+def compare(
+    file: MachineFile,
+    other: Annotated[Path, typer.Argument(help="Another machine file.", show_default=False)],
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Folder for a report, numbers and maps.", show_default=False
+        ),
+    ] = None,
+    lag: Lag = 20.0,
+) -> None:
+    """Say what changed between two machines, and what it did.
+
+    Lists the keys of the machine files whose values differ, and the numbers of
+    the command analyze side by side.
+
+    \b
+    Example:
+      turnbuckle compare machines/yoon_fixed_diagonal.toml machines/yoon2023.toml
+    """
+    with errors_in_words():
+        machines = read(file), read(other)
+        from lab.analysis.compare import compare as put_side_by_side
+
+        with progress() as tell:
+            comparison = put_side_by_side(machines, out, lag / 1e3, tell)
+        names = comparison.names
+        show_rows(["changed key", *names], comparison.changes or [("nothing", "", "")])
+        show_rows(["", *names, "change"], comparison.rows)
+        if out is not None:
+            typer.echo(f"report: {out / 'report.md'}")
+
+
+def show_rows(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """A table: labels on the left, values on the right."""
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    table.add_column(header[0], overflow="fold")
+    for heading in header[1:]:
+        table.add_column(Text(heading), justify="right", overflow="fold")
+    for row in rows:
+        table.add_row(*map(Text, row))
+    Console().print(table)
 
 
 @app.command()
@@ -551,11 +674,12 @@ def errors_in_words() -> Iterator[None]:
 def refusals() -> tuple[type[Exception], ...]:
     """Errors whose text is written for the user; imported only when there has been an error."""
     from codegen.compile import CompileError
+    from codegen.folder import FolderError
     from codegen.generate import GenerateError
     from lab.design import DesignError
     from model.machine import MachineError
 
-    return MachineError, GenerateError, CompileError, DesignError
+    return MachineError, GenerateError, FolderError, CompileError, DesignError
 
 
 def fail(message: str, status: int = CANNOT) -> NoReturn:

@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from codegen.compile import LIBRARIES, compile_library
-from codegen.generate import MANIFEST, TEMPLATES, GenerateError, generate, write
+from codegen.folder import FolderError
+from codegen.generate import MANIFEST, TEMPLATES, generate, write
 from model.machine import Machine, load_machine
 from model.symbolic.function import Status
 
@@ -218,7 +219,7 @@ def folder_of(machine: Machine, files: dict[str, str]) -> Path:
     if not (folder / MANIFEST).exists():
         try:
             write(files, folder)
-        except GenerateError:
+        except FolderError:
             # Another process that made the same folder meanwhile is no failure.
             if not (folder / MANIFEST).exists():
                 raise

@@ -2,9 +2,6 @@
 
 import hashlib
 import json
-import os
-import shutil
-import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -19,6 +16,7 @@ from codegen.composite import Item, Procedure, fingerprint, loop
 from codegen.constants import constants
 from codegen.emit import CFunction, emit, emit_alias
 from codegen.enumeration import enumeration
+from codegen.folder import write_folder
 from codegen.ir import Routine
 from codegen.lower import lower
 from codegen.simplify import simplify
@@ -212,77 +210,5 @@ def generate(machine: Machine) -> dict[str, str]:
 
 
 def write(files: dict[str, str], folder: Path) -> None:
-    """Replace the folder by the files, as a whole or not at all.
-
-    Raises GenerateError where the folder holds something that was not generated, or cannot be
-    written.
-    """
-    refuse_foreign(folder)
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        fresh = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
-        try:
-            fill(fresh, files)
-            exchange(fresh, folder)
-        finally:
-            shutil.rmtree(fresh, ignore_errors=True)
-    except OSError as error:
-        raise GenerateError(
-            f"{folder}: cannot be written: {error.strerror}; name a folder you may write with --out"
-        ) from None
-
-
-def refuse_foreign(folder: Path) -> None:
-    """A folder with other content than ours is left alone."""
-    if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
-        raise GenerateError(f"{folder}: is not a folder; --out takes a new or a generated folder")
-    if not folder.exists():
-        return
-    entries = sorted(entry.name for entry in folder.iterdir())
-    if entries and MANIFEST not in entries:
-        raise GenerateError(
-            f"{folder}: holds {entries[0]!r} and no {MANIFEST}, so it was not generated; "
-            "--out takes a new, an empty or a generated folder"
-        )
-    if MANIFEST in entries:
-        strangers = set(entries) - set(generated_names(folder / MANIFEST)) - {MANIFEST}
-        if strangers:
-            raise GenerateError(
-                f"{folder}: holds {min(strangers)!r}, which was not generated and would be lost; "
-                "move it away, or name another folder with --out"
-            )
-
-
-def generated_names(path: Path) -> list[str]:
-    """Files that a manifest lists."""
-    try:
-        return list(json.loads(path.read_text())["files"])
-    except (OSError, ValueError, KeyError, TypeError):
-        raise GenerateError(
-            f"{path}: is not a manifest of generated files; name another folder with --out"
-        ) from None
-
-
-def fill(folder: Path, files: dict[str, str]) -> None:
-    """Write the files; readable by everyone, as the rest of a checkout is."""
-    folder.chmod(0o755)
-    for name, text in files.items():
-        with (folder / name).open("w", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-
-
-def exchange(fresh: Path, folder: Path) -> None:
-    """Put the fresh folder where the old one is; the old one comes back if that fails."""
-    if not folder.exists():
-        fresh.rename(folder)
-        return
-    old = folder.with_name(f".{folder.name}-old-{os.getpid()}")
-    folder.rename(old)
-    try:
-        fresh.rename(folder)
-    except OSError:
-        old.rename(folder)
-        raise
-    shutil.rmtree(old)
+    """Replace the folder by the files, as a whole or not at all; FolderError where it cannot be."""
+    write_folder(files, folder, MANIFEST)

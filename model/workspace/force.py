@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
+from model.workspace.feasible import ball_reach
 from model.workspace.gaps import adjacent_gaps
 from model.workspace.least_norm import least_norm_tension
 from model.workspace.rows import Array
@@ -29,6 +30,26 @@ def isotropic_force(
         return _largest_share(
             facets.support(lower, upper), np.sqrt(np.sum(forces**2, axis=-1)), rounding(s, upper)
         )
+
+    return over_facets(largest_ball, structure)
+
+
+def served_share(
+    structure: npt.ArrayLike,
+    lower: float,
+    upper: float,
+    force: float,
+    moment: float = 0.0,
+    space: int | None = None,
+) -> Array:
+    """Largest share k (...) such that all forces up to k `force` with all moments up to k `moment`
+    are feasible; both [N], see `feasible.ball_margin`. 0 where the zero wrench is infeasible.
+    """
+    size = max(force, moment)
+
+    def largest_ball(facets: Facets, s: Array) -> Array:
+        reach = ball_reach(facets, force / size, moment / size, space)
+        return _largest_share(facets.support(lower, upper), reach, rounding(s, upper)) / size
 
     return over_facets(largest_ball, structure)
 

@@ -123,7 +123,8 @@ def test_every_file_and_folder_the_documents_name_is_there() -> None:
     assert not {name for name in missing if not name.startswith(("generated/", "build/"))}
 
 
-def test_the_picture_is_small_enough_for_a_page() -> None:
-    picture = ROOT / "docs" / "demo.png"
+@pytest.mark.parametrize("name", ["demo.png", "analysis.png"])
+def test_the_pictures_are_small_enough_for_a_page(name: str) -> None:
+    picture = ROOT / "docs" / name
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert picture.stat().st_size < LARGEST_PICTURE

@@ -44,12 +44,12 @@ def bad(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("command", ["check", "generate", "verify", "demo"])
+@pytest.mark.parametrize("command", ["check", "analyze", "generate", "verify", "demo"])
 def test_every_command_refuses_a_bad_machine_file_with_its_key(command: str, bad: Path) -> None:
     assert_refused(run(command, bad), str(bad), "drum.radius", '"-5 mm"')
 
 
-@pytest.mark.parametrize("command", ["check", "generate", "verify", "demo"])
+@pytest.mark.parametrize("command", ["check", "analyze", "generate", "verify", "demo"])
 def test_every_command_refuses_a_file_that_is_not_there(command: str, tmp_path: Path) -> None:
     assert_refused(run(command, tmp_path / "none.toml"), "none.toml", "no such file")
 

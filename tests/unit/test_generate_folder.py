@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from codegen.generate import MANIFEST, GenerateError, write
+from codegen.folder import FolderError
+from codegen.generate import MANIFEST, write
 
 FILES = {"tb_a.c": "int a;\n", MANIFEST: '{"files": {"tb_a.c": ""}}\n'}
 
@@ -28,12 +29,12 @@ def test_a_foreign_file_is_never_lost(manifest: bool, tmp_path: Path) -> None:
         write(FILES, folder)
     folder.mkdir(exist_ok=True)
     (folder / "thesis.txt").write_text("mine")
-    with pytest.raises(GenerateError, match=r"holds 'thesis.txt'"):
+    with pytest.raises(FolderError, match=r"holds 'thesis.txt'"):
         write(FILES, folder)
     assert (folder / "thesis.txt").read_text() == "mine"
 
 
 def test_a_damaged_manifest_is_refused(tmp_path: Path) -> None:
     (tmp_path / MANIFEST).write_text("not json")
-    with pytest.raises(GenerateError, match="is not a manifest"):
+    with pytest.raises(FolderError, match="is not a manifest"):
         write(FILES, tmp_path)
