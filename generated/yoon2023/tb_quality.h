@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5edbcd63552eb956, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine d6d6f47a0d1e2333, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
