@@ -25,8 +25,6 @@ from model.symbolic.topics import TOPICS, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
-#: The tension solver unrolls one level a redundant cable; beyond this the C grows out of hand.
-LARGEST_REDUNDANCY = 4
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -52,16 +50,7 @@ class Model:
 
 
 def build_model(machine: Machine) -> Model:
-    """Lower and simplify every function of the machine.
-
-    Raises GenerateError for more cables than this version distributes tensions over.
-    """
-    if machine.redundancy > LARGEST_REDUNDANCY:
-        raise GenerateError(
-            f"{machine.path}: cable: found {len(machine.cables)} cables; allowed: up to "
-            f"{machine.dof + LARGEST_REDUNDANCY} in this version, for a platform with "
-            f"{machine.dof} degrees of freedom"
-        )
+    """Lower and simplify every function of the machine."""
     routines = {
         topic: [simplify(lower(function)) for function in functions]
         for topic, functions in model_functions(machine).items()

@@ -104,16 +104,27 @@ class Factorisation:
             columns.append(self.apply(unit))
         return transpose(columns)
 
+    def forward(self, right: Sequence[Scalar]) -> Vector:
+        """Solves R' z = right."""
+        solution: Vector = []
+        for i, value in enumerate(right):
+            for k in range(i):
+                value = value - self.triangle[k][i] * solution[k]
+            solution.append(value / self.triangle[i][i])
+        return solution
+
     def least_norm(self, right: Sequence[Scalar]) -> Vector:
         """The vector T of least norm with S T = right."""
-        rank = len(self.reflectors)
-        forward: Vector = []
-        for i in range(rank):
-            value = right[i]
-            for k in range(i):
-                value = value - self.triangle[k][i] * forward[k]
-            forward.append(value / self.triangle[i][i])
-        return self.apply(forward + [ca.SX(0)] * (self.size - rank))
+        return self.apply(self.forward(right) + [ca.SX(0)] * (self.size - len(self.reflectors)))
+
+    def solve_gram(self, right: Sequence[Scalar]) -> Vector:
+        """Solves S S' y = R' R y = right; S' y is as near the least-norm vector as by Q (Paige)."""
+        solution = self.forward(right)
+        for i in reversed(range(len(solution))):
+            for k in range(i + 1, len(solution)):
+                solution[i] = solution[i] - self.triangle[i][k] * solution[k]
+            solution[i] = solution[i] / self.triangle[i][i]
+        return solution
 
     def pivots(self) -> Vector:
         """Magnitudes on the diagonal of R: one of them is zero where S loses rank."""

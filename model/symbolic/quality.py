@@ -1,20 +1,29 @@
 """How good a pose is: tension factor and isotropic force, Yoon section III-A and III-B."""
 
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
 import casadi as ca
 
 from model.machine import Machine
 from model.symbolic import arguments, kinematics
+from model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
 from model.symbolic.function import (
     Input,
     Label,
     ModelFunction,
+    Output,
+    Repeat,
     Status,
     Verdict,
+    carried,
+    matrix_output,
     not_all_above,
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import dot, norm, transpose
+from model.symbolic.linear import dot, factorise, norm, transpose
 from model.symbolic.null_space import factored
 from model.symbolic.scalar import (
     Matrix,
@@ -25,37 +34,37 @@ from model.symbolic.scalar import (
     smallest,
     where,
 )
-from model.symbolic.tension import KKT_TOLERANCE, Solution, least_norm_tension, rank_lost, rounding
+from model.symbolic.tension import (
+    KKT_TOLERANCE,
+    is_unrolled,
+    least_norm_tension,
+    rank_lost,
+    regular,
+    rounding,
+    tolerated,
+)
 from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
 
+#: A result, and the verdicts and labels that come with it.
+Taken = tuple[Output, tuple[Verdict, ...], tuple[Label, ...]]
 
+
+@dataclass(frozen=True)
 class Rig:
-    """The machine at a symbolic pose: its directions, wrench set and zero-wrench tensions."""
+    """The cables at a pose: their directions u_i and the wrenches they can exert."""
 
-    def __init__(self, machine: Machine) -> None:
-        self.machine = machine
-        self.pose, self.rails = arguments.pose(machine), arguments.rails(machine)
-        vectors = kinematics.cable_vectors(machine, self.pose.scalars(), self.rails.scalars())
-        self.lengths = [norm(vector) for vector in vectors]
-        self.rays: Matrix = kinematics.directions(vectors, self.lengths)
-        self.bounds = machine.tension.min, machine.tension.max
-        self.wrench_set: WrenchSet = wrench_set(self.rays, *self.bounds)
-        self.zero = [ca.SX(0)] * machine.dof
-        self.matrix = transpose(self.rays)
-        self.space = factored(self.matrix, self.zero)
+    rays: Matrix
+    bounds: tuple[float, float]
 
     @property
-    def inputs(self) -> tuple[Input, ...]:
-        """Pose and rail coordinates."""
-        return self.pose, self.rails
+    def matrix(self) -> Matrix:
+        """The structure matrix."""
+        return transpose(self.rays)
 
-    def at_rest(self) -> Solution:
-        """T0, the least-norm tensions that hold the platform without any force on it."""
-        return least_norm_tension(self.matrix, self.zero, self.space, *self.bounds)
-
-    def touching(self) -> Verdict:
-        """The platform is at a pulley."""
-        return kinematics.touches_a_pulley(self.lengths)
+    @cached_property
+    def wrench_set(self) -> WrenchSet:
+        """The feasible wrenches."""
+        return wrench_set(self.rays, *self.bounds)
 
     def outside(self) -> Verdict:
         """The pose is outside the zero-wrench workspace."""
@@ -66,67 +75,111 @@ class Rig:
         )
 
 
-def zero_wrench_tension_function(machine: Machine) -> ModelFunction:
-    """Least-norm tensions under zero wrench."""
-    rig = Rig(machine)
-    rest, outside = rig.at_rest(), rig.outside()
-    tension = [where(outside.condition, machine.tension.min, value) for value in rest.tension]
-    limit = rounding(KKT_TOLERANCE, ca.SX(machine.tension.max), rig.space)
+@dataclass(frozen=True)
+class Placed:
+    """The machine at a symbolic pose."""
+
+    inputs: tuple[Input, ...]
+    lengths: Vector
+    rig: Rig
+
+    def touching(self) -> Verdict:
+        """The platform is at a pulley."""
+        return kinematics.touches_a_pulley(self.lengths)
+
+
+def placed(machine: Machine) -> Placed:
+    """The machine at any pose and any rail coordinates."""
+    pose, rails = arguments.pose(machine), arguments.rails(machine)
+    vectors = kinematics.cable_vectors(machine, pose.scalars(), rails.scalars())
+    lengths = [norm(vector) for vector in vectors]
+    rig = Rig(kinematics.directions(vectors, lengths), (machine.tension.min, machine.tension.max))
+    return Placed((pose, rails), lengths, rig)
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A measure of a pose that is taken of T0, the least-norm tensions under zero wrench.
+
+    `take` makes results, verdicts and labels of the rig, its T0 and whether that is accurate.
+    """
+
+    name: str
+    summary: str
+    source: str
+    take: Callable[[Machine, Rig, Vector, Scalar], Taken]
+
+
+def unrolled(machine: Machine, measure: Measure) -> ModelFunction:
+    """The measure in one pass."""
+    here = placed(machine)
+    zero = [ca.SX(0)] * machine.dof
+    space = factored(here.rig.matrix, zero)
+    rest = least_norm_tension(here.rig.matrix, zero, space, *here.rig.bounds)
+    limit = rounding(KKT_TOLERANCE, ca.SX(machine.tension.max), space)
+    output, verdicts, labels = measure.take(
+        machine, here.rig, rest.tension, rest.kkt_residual <= limit
+    )
+    return ModelFunction(
+        measure.name,
+        measure.summary,
+        measure.source,
+        here.inputs,
+        (output,),
+        (here.touching(), rank_lost(space), *verdicts),
+        (kinematics.length_label(here.lengths), *labels),
+    )
+
+
+def looped(machine: Machine, measure: Measure) -> Repeat:
+    """The measure with a loop for T0."""
+    here = placed(machine)
+    pivots = factorise(here.rig.matrix).pivots()
+    made = matrix_output("structure", "1", here.rig.matrix)
+    (structure,) = carried([made])
+    low, high = here.rig.bounds
+    zero = [ca.SX(0)] * machine.dof
+    loop = ActiveSet(
+        Bounded(structure.rows(), zero, low, high, ca.SX(high)),
+        (structure,),
+        Start(here.inputs, (made,), pivots, (here.touching(), regular(pivots))),
+    )
+
+    def answer(best: Optimum, pivot: Scalar) -> Answer:
+        rig = replace(here.rig, rays=transpose(structure.rows()))
+        accurate = best.residual <= tolerated(machine, pivot)
+        output, verdicts, _ = measure.take(machine, rig, best.tension, accurate)
+        return (output,), verdicts
+
+    return loop.repeat(measure.name, measure.summary, measure.source, answer)
+
+
+def rest_tension(machine: Machine, rig: Rig, rest: Vector, accurate: Scalar) -> Taken:
+    """T0 itself."""
+    outside = rig.outside()
+    tension = [where(outside.condition, machine.tension.min, value) for value in rest]
     inaccurate = Verdict(
-        ca.logic_not(ca.logic_or(outside.condition, rest.kkt_residual <= limit)),
+        ca.logic_not(ca.logic_or(outside.condition, accurate)),
         Status.INACCURATE,
         "the optimality conditions are missed by more than rounding",
     )
-    return ModelFunction(
-        "zero_wrench_tension",
-        "Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace",
-        "Yoon eq. 12 with W = 0",
-        rig.inputs,
-        (vector_output("tension", "N", tension, fallback=machine.tension.min),),
-        (rig.touching(), rank_lost(rig.space), inaccurate, outside),
-        (kinematics.length_label(rig.lengths),),
-    )
+    output = vector_output("tension", "N", tension, fallback=machine.tension.min)
+    return output, (inaccurate, outside), ()
 
 
-def tension_factor_function(machine: Machine) -> ModelFunction:
+def factor(_: Machine, rig: Rig, rest: Vector, __: Scalar) -> Taken:
     """Least over largest zero-wrench tension."""
-    rig = Rig(machine)
-    rest, outside = rig.at_rest(), rig.outside()
-    most = largest(rest.tension)
-    factor = smallest(rest.tension) / most
+    outside = rig.outside()
+    most = largest(rest)
     slack = not_all_above([most], 0, "T_min is 0, and so is every zero-wrench tension")
-    return ModelFunction(
-        "tension_factor",
-        "Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace",
-        "Yoon eq. 13",
-        rig.inputs,
-        (scalar_output("factor", "1", where(outside.condition, 0, factor)),),
-        (rig.touching(), rank_lost(rig.space), slack, outside),
-        (kinematics.length_label(rig.lengths), Label("rest", rest.tension, "T0")),
-    )
+    output = scalar_output("factor", "1", where(outside.condition, 0, smallest(rest) / most))
+    return output, (slack, outside), (Label("rest", rest, "T0"),)
 
 
-def isotropic_force_function(machine: Machine) -> ModelFunction:
-    """True isotropic force, from the facets of the feasible wrenches."""
-    rig = Rig(machine)
-    outside = rig.outside()
-    radius = ca.fmax(0, rig.wrench_set.inner_radius())
-    return ModelFunction(
-        "isotropic_force",
-        "Isotropic force I_F: the largest force in every direction; 0 outside the workspace",
-        "Yoon section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it",
-        rig.inputs,
-        (scalar_output("force", "N", radius),),
-        (rig.touching(), outside),
-        (kinematics.length_label(rig.lengths),),
-    )
-
-
-def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
+def force_eq17(machine: Machine, rig: Rig, rest: Vector, _: Scalar) -> Taken:
     """Isotropic force as published, from the parallelograms of adjacent tension margins."""
-    rig = Rig(machine)
     outside = rig.outside()
-    margins = [machine.tension.max - value for value in rig.at_rest().tension]
+    margins = [machine.tension.max - value for value in rest]
     radius = smallest(
         [
             where(adjacent(rig, i, j), parallelogram_radius(rig, margins, i, j), FAR)
@@ -135,14 +188,45 @@ def isotropic_force_eq17_function(machine: Machine) -> ModelFunction:
             if i != j
         ]
     )
-    return ModelFunction(
+    output = scalar_output("force", "N", where(outside.condition, 0, radius))
+    return output, (outside,), (Label("margin", margins, "t_i = T_max - T0_i"),)
+
+
+MEASURES = (
+    Measure(
+        "zero_wrench_tension",
+        "Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace",
+        "Yoon eq. 12 with W = 0",
+        rest_tension,
+    ),
+    Measure(
+        "tension_factor",
+        "Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace",
+        "Yoon eq. 13",
+        factor,
+    ),
+    Measure(
         "isotropic_force_eq17",
         "Isotropic force as published: a circle in the parallelograms of adjacent cables",
         "Yoon eq. 17; a lower bound of the true isotropic force",
-        rig.inputs,
-        (scalar_output("force", "N", where(outside.condition, 0, radius)),),
-        (rig.touching(), rank_lost(rig.space), outside),
-        (kinematics.length_label(rig.lengths), Label("margin", margins, "t_i = T_max - T0_i")),
+        force_eq17,
+    ),
+)
+
+
+def isotropic_force_function(machine: Machine) -> ModelFunction:
+    """True isotropic force, from the facets of the feasible wrenches."""
+    here = placed(machine)
+    outside = here.rig.outside()
+    radius = ca.fmax(0, here.rig.wrench_set.inner_radius())
+    return ModelFunction(
+        "isotropic_force",
+        "Isotropic force I_F: the largest force in every direction; 0 outside the workspace",
+        "Yoon section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it",
+        here.inputs,
+        (scalar_output("force", "N", radius),),
+        (here.touching(), outside),
+        (kinematics.length_label(here.lengths),),
     )
 
 
@@ -169,10 +253,18 @@ def parallelogram_radius(rig: Rig, margins: Vector, i: int, j: int) -> Scalar:
 
 
 def functions(machine: Machine) -> list[ModelFunction]:
-    """Everything this topic generates."""
+    """Everything this topic computes in one pass."""
+    rest, factor, eq17 = MEASURES
+    if not is_unrolled(machine):
+        return [isotropic_force_function(machine)]
     return [
-        zero_wrench_tension_function(machine),
-        tension_factor_function(machine),
+        unrolled(machine, rest),
+        unrolled(machine, factor),
         isotropic_force_function(machine),
-        isotropic_force_eq17_function(machine),
+        unrolled(machine, eq17),
     ]
+
+
+def composites(machine: Machine) -> list[Repeat]:
+    """The measures of tensions that take a loop."""
+    return [] if is_unrolled(machine) else [looped(machine, measure) for measure in MEASURES]

@@ -11,6 +11,7 @@ import casadi as ca
 
 from model.machine import Machine
 from model.symbolic import arguments
+from model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
 from model.symbolic.function import (
     EPSILON,
     Label,
@@ -24,7 +25,8 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import multiply, transpose
+from model.symbolic.linear import factorise, multiply, transpose
+from model.symbolic.nearest_wrench import Nearest, Reach, nearest_loop
 from model.symbolic.null_space import NullSpace, crossed, factored
 from model.symbolic.polytope import UNBOUNDED, Slabs
 from model.symbolic.scalar import (
@@ -38,6 +40,7 @@ from model.symbolic.scalar import (
     total,
     where,
 )
+from model.symbolic.wrench_norm import weighed, weighed_rows, weights
 from model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
@@ -58,6 +61,17 @@ LARGEST_MISS = 1e-3
 SMALLEST_PIVOT = 1e-6
 #: ... or below this many EPSILON, where a pivot is rounding.
 RANK_TOLERANCE = 4096.0
+#: The solver without a loop nests once more with every redundant cable; beyond this many a loop
+#: takes less code, and in more than two dimensions it closes fewer corners by rounding.
+UNROLLED_REDUNDANCY = 2
+#: Dimension in which the feasible wrenches are a polygon.
+PLANE = 2
+
+PAPER = "distribute_tension_paper"
+PAPER_SUMMARY = (
+    "Tensions of least norm above T_min, then clipped to T_max, which changes the wrench"
+)
+PAPER_SOURCE = "Yoon eq. 22, 23"
 
 
 @dataclass(frozen=True)
@@ -133,47 +147,140 @@ def least_norm_function(
     space = method(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, high)
     limit = ca.fmin(rounding(tolerance, ca.SX(high), space), LARGEST_MISS * high)
-    missed = ca.logic_not(solution.kkt_residual <= limit)
     return ModelFunction(
         name,
         f"Tensions of least norm within their bounds that exert a wrench{remark}",
         "Yoon eq. 12",
         (structure, wrench),
         solution_outputs(machine, solution),
-        (
-            rank_lost(space),
-            Verdict(
-                missed,
-                Status.INACCURATE,
-                "no admissible tension exerts the wrench, or the optimality conditions are missed",
-            ),
-        ),
+        (rank_lost(space), kkt_missed(solution, limit)),
         solution_labels(space, solution),
     )
 
 
+def kkt_missed(solution: Solution, limit: Scalar) -> Verdict:
+    """The solution fails its own check."""
+    return Verdict(
+        ca.logic_not(solution.kkt_residual <= limit),
+        Status.INACCURATE,
+        "no admissible tension exerts the wrench, or the optimality conditions are missed",
+    )
+
+
+def active_set(machine: Machine, high: float | None) -> tuple[ActiveSet, Matrix]:
+    """The loop for any number of cables, and S; moments count by the force at the lever."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    low, wanted = machine.tension.min, weighed(machine, wrench.scalars())
+    magnitude = total([ca.fabs(x) for x in wanted])
+    problem = Bounded(
+        weighed_rows(machine, structure.rows()),
+        wanted,
+        low,
+        UNBOUNDED if high is None else high,
+        low + magnitude if high is None else ca.SX(high),
+    )
+    inputs, pivots = (structure, wrench), factorise(problem.matrix).pivots()
+    start = Start(inputs, (), pivots, (regular(pivots),))
+    return ActiveSet(problem, inputs, start), structure.rows()
+
+
+def least_norm_loop(machine: Machine) -> Repeat:
+    """Exact bounded distribution of a feasible wrench over any number of cables."""
+    high = machine.tension.max
+    loop, matrix = active_set(machine, high)
+
+    def answer(best: Optimum, pivot: Scalar) -> Answer:
+        solution = Solution(best.tension, multiply(matrix, best.tension), best.residual)
+        return solution_outputs(machine, solution), (
+            kkt_missed(solution, tolerated(machine, pivot)),
+        )
+
+    return loop.repeat(
+        "least_norm_tension",
+        "Tensions of least norm within their bounds that exert a wrench",
+        "Yoon eq. 12, by active sets: Goldfarb, Idnani 1983",
+        answer,
+    )
+
+
+def tolerated(machine: Machine, pivot: Scalar) -> Scalar:
+    """Residual of a loop's optimality conditions that rounding explains [N]."""
+    high, units = machine.tension.max, KKT_TOLERANCE * max(1.0, len(machine.cables) / 4)
+    return ca.fmin(units * EPSILON * high / ca.fmin(1, pivot), LARGEST_MISS * high)
+
+
+def paper_loop(machine: Machine) -> Repeat:
+    """Yoon's own control law over any number of cables."""
+    low, high = machine.tension.min, machine.tension.max
+    loop, matrix = active_set(machine, None)
+
+    def answer(best: Optimum, pivot: Scalar) -> Answer:
+        limit = KKT_TOLERANCE * EPSILON * largest(best.tension) / pivot
+        solved = best.residual <= ca.fmin(limit, LARGEST_MISS * high)
+        solution, verdicts = clipped(matrix, best.tension, best.residual, solved, low, high)
+        return solution_outputs(machine, solution), verdicts
+
+    return loop.repeat(PAPER, PAPER_SUMMARY, PAPER_SOURCE, answer)
+
+
 def served_wrench_function(machine: Machine, policy: str) -> ModelFunction:
-    """The feasible wrench that a policy puts in place of an infeasible one."""
+    """The feasible wrench that a policy puts in place of an infeasible one, in the plane."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
     wanted = wrench.scalars()
     feasible = wrench_set(transpose(structure.rows()), machine.tension.min, machine.tension.max)
-    inside = feasible.contains(wanted)
-    choose, meaning = POLICIES[policy]
-    border = choose(feasible, wanted)
-    served = [
-        where(inside, asked, edge + OFF_BORDER * EPSILON * (middle - edge))
-        for asked, edge, middle in zip(wanted, border, feasible.middle, strict=True)
-    ]
-    inner = [a + INWARDS * (b - a) for a, b in zip(served, feasible.middle, strict=True)]
+    choose, _ = POLICIES[policy]
+    outputs, infeasible = served_outputs(
+        feasible.contains(wanted), wanted, choose(feasible, wanted), feasible.middle
+    )
     return ModelFunction(
-        f"served_wrench_{policy}",
-        f"The wrench that is served: an infeasible one {meaning}",
-        "facets of the zonotope {S T}",
+        *served_names(policy, "facets of the zonotope {S T}"),
         (structure, wrench),
-        (vector_output("served", "N", served), vector_output("inner", "N", inner)),
-        (Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it"),),
+        outputs,
+        (infeasible,),
         (Label("facet", feasible.halves, "facets of the feasible wrenches, half distances"),),
     )
+
+
+def served_names(policy: str, source: str) -> tuple[str, str, str]:
+    """Name, summary and source of the function that serves the wrench of a policy."""
+    _, meaning = POLICIES[policy]
+    return (
+        f"served_wrench_{policy}",
+        f"The wrench that is served: an infeasible one {meaning}",
+        source,
+    )
+
+
+def served_outputs(
+    inside: Scalar, wanted: Vector, border: Vector, middle: Vector
+) -> tuple[tuple[Output, ...], Verdict]:
+    """The wanted wrench, or one just inside the border; then one with more room."""
+    served = [
+        where(inside, asked, edge + OFF_BORDER * EPSILON * (centre - edge))
+        for asked, edge, centre in zip(wanted, border, middle, strict=True)
+    ]
+    inner = [a + INWARDS * (b - a) for a, b in zip(served, middle, strict=True)]
+    outputs = vector_output("served", "N", served), vector_output("inner", "N", inner)
+    infeasible = Verdict(ca.logic_not(inside), Status.INFEASIBLE, "no admissible tension exerts it")
+    return outputs, infeasible
+
+
+def closest_loop(machine: Machine) -> Repeat:
+    """The nearest feasible wrench in any dimension; moments count by the force at the lever."""
+    structure, wrench = arguments.structure(machine), arguments.wrench(machine)
+    matrix, wanted = structure.rows(), wrench.scalars()
+    low, high = machine.tension.min, machine.tension.max
+    reach = Reach(weighed_rows(machine, matrix), weighed(machine, wanted), low, high)
+    middle = [(low + high) / 2 * total(row) for row in matrix]
+
+    def answer(found: Nearest) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
+        offset = [x / w for x, w in zip(found.offset, weights(machine), strict=True)]
+        border = [a + b for a, b in zip(wanted, offset, strict=True)]
+        outputs, infeasible = served_outputs(found.inside, wanted, border, middle)
+        return outputs, (found.inaccurate, infeasible)
+
+    names = served_names("closest", "point of least norm of {S T - W}: Wolfe 1976")
+    return nearest_loop(names, (structure, wrench), reach, answer)
 
 
 def paper_function(machine: Machine) -> ModelFunction:
@@ -185,25 +292,31 @@ def paper_function(machine: Machine) -> ModelFunction:
     solution = least_norm_tension(matrix, wanted, space, low, None)
     limit = rounding(KKT_TOLERANCE, largest(solution.tension), space)
     solved = solution.kkt_residual <= ca.fmin(limit, LARGEST_MISS * high)
-    clipped = [where(solved, ca.fmin(value, high), low) for value in solution.tension]
-    exceeds = any_of([value > high for value in solution.tension])
-    answer = Solution(clipped, multiply(matrix, clipped), where(solved, solution.kkt_residual, 0))
+    answer, verdicts = clipped(matrix, solution.tension, solution.kkt_residual, solved, low, high)
     return ModelFunction(
-        "distribute_tension_paper",
-        "Tensions of least norm above T_min, then clipped to T_max, which changes the wrench",
-        "Yoon eq. 22, 23",
+        PAPER,
+        PAPER_SUMMARY,
+        PAPER_SOURCE,
         (structure, wrench),
         solution_outputs(machine, answer),
-        (
-            rank_lost(space),
-            Verdict(
-                ca.logic_not(solved),
-                Status.INFEASIBLE,
-                "eq. 22 has no solution, and every cable holds T_min",
-            ),
-            Verdict(exceeds, Status.INFEASIBLE, "eq. 23 clipped a tension"),
-        ),
+        (rank_lost(space), *verdicts),
         solution_labels(space, answer),
+    )
+
+
+def clipped(
+    matrix: Matrix, tension: Vector, residual: Scalar, solved: Scalar, low: float, high: float
+) -> tuple[Solution, tuple[Verdict, ...]]:
+    """What eq. 23 makes of a solution of eq. 22; T_min where there is none."""
+    held = [where(solved, ca.fmin(value, high), low) for value in tension]
+    exceeds = any_of([value > high for value in tension])
+    return Solution(held, multiply(matrix, held), where(solved, residual, 0)), (
+        Verdict(
+            ca.logic_not(solved),
+            Status.INFEASIBLE,
+            "eq. 22 has no solution, and every cable holds T_min",
+        ),
+        Verdict(exceeds, Status.INFEASIBLE, "eq. 23 clipped a tension"),
     )
 
 
@@ -227,16 +340,39 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
 
 def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
+    return regular(space.pivots)
+
+
+def regular(pivots: Vector) -> Verdict:
+    """TB_SINGULAR where a pivot of the structure matrix is lost."""
     limit = ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
-    return not_all_above(space.pivots, limit, "the cables are parallel")
+    return not_all_above(pivots, limit, "the cables are parallel")
+
+
+def is_unrolled(machine: Machine) -> bool:
+    """Whether tensions are found without a loop: in the plane, of few cables."""
+    return machine.dof == PLANE and machine.redundancy <= UNROLLED_REDUNDANCY
+
+
+def planar_policies(machine: Machine) -> list[str]:
+    """Policies that the polygon of feasible forces decides."""
+    return list(POLICIES) if machine.dof == PLANE else []
+
+
+def policies(machine: Machine) -> dict[str, tuple[Policy, str]]:
+    """Policies that there are in the machine's dimension."""
+    known = POLICIES if machine.dof == PLANE else {"closest": POLICIES["closest"]}
+    return dict(known)
 
 
 def functions(machine: Machine) -> list[ModelFunction]:
     """Everything this topic computes in one pass."""
+    served = [served_wrench_function(machine, policy) for policy in planar_policies(machine)]
+    if not is_unrolled(machine):
+        return served
     return [
         *(least_norm_function(machine, *method) for method in methods(machine)),
-        served_wrench_function(machine, "scale"),
-        served_wrench_function(machine, "closest"),
+        *served,
         paper_function(machine),
     ]
 
@@ -253,8 +389,11 @@ def methods(machine: Machine) -> list[Method]:
 
 
 def composites(machine: Machine) -> list[Retry | Repeat]:
-    """Distributions that serve another wrench where the wanted one is infeasible."""
-    return [
+    """Loops, and distributions that serve another wrench where the wanted one is infeasible."""
+    loops = [] if is_unrolled(machine) else [least_norm_loop(machine), paper_loop(machine)]
+    if machine.dof > PLANE:
+        loops.append(closest_loop(machine))
+    return loops + [
         Retry(
             f"distribute_tension_{policy}",
             f"Tensions of least norm within their bounds; an infeasible wrench {meaning}",
@@ -263,5 +402,5 @@ def composites(machine: Machine) -> list[Retry | Repeat]:
             f"served_wrench_{policy}",
             "wrench",
         )
-        for policy, (_, meaning) in POLICIES.items()
+        for policy, (_, meaning) in policies(machine).items()
     ]

@@ -22,4 +22,7 @@ def model_functions(machine: Machine) -> dict[str, list[ModelFunction]]:
 
 def model_composites(machine: Machine) -> dict[str, list[Retry | Repeat]]:
     """Every function that is made of others, by topic; those it is made of come before it."""
-    return {"tension": tension.composites(machine)}
+    return {
+        "tension": tension.composites(machine),
+        "quality": [*quality.composites(machine)],
+    }
