@@ -17,8 +17,6 @@ MACHINE, SQUARE = "yoon2023", "brau_square"
 SEED = 20231
 #: Many problems: of a few the branch predictor would learn every one.
 PROBLEMS, REPETITIONS = 10_000, 15
-#: Brau's problems are few, so they are timed more often.
-TABLE1_REPETITIONS = 60
 #: Calls that are counted on the emulated microcontroller.
 CALLS = 32
 
@@ -33,7 +31,7 @@ def main() -> None:
         problems = tension_problems(machine, PROBLEMS, SEED)
         tension = [compare(solvers, each, REPETITIONS) for each in problems]
     with console.status("timing Brau Table 1"):
-        table1 = compare_table1(square, TABLE1_REPETITIONS)
+        table1 = compare_table1(square, REPETITIONS)
     with console.status("timing the controller step"):
         step = compare_steps(machine, generated, PROBLEMS, REPETITIONS)
     with console.status("counting instructions on a Cortex-M4F"):
