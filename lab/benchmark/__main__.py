@@ -31,7 +31,7 @@ def main() -> None:
         problems = tension_problems(machine, PROBLEMS, SEED)
         tension = [compare(solvers, each, REPETITIONS) for each in problems]
     with console.status("timing Brau Table 1"):
-        table1 = compare_table1(square, REPETITIONS)
+        table1 = compare_table1(square)
     with console.status("timing the controller step"):
         step = compare_steps(machine, generated, PROBLEMS, REPETITIONS)
     with console.status("counting instructions on a Cortex-M4F"):

@@ -11,12 +11,12 @@ from rich.table import Table
 
 from lab.benchmark.cortex_m4.comparison import CountRow
 from lab.benchmark.map.comparison import MapRow, MapTable
+from lab.benchmark.solvers.turnbuckle import OURS
 from lab.benchmark.step.comparison import StepRow
 from lab.benchmark.table1 import Table1
 from lab.benchmark.targets import Target
 from lab.benchmark.tension import Row, TensionTable
 
-OURS = "turnbuckle"
 COUNTED = (
     "turnbuckle: bounds, status and self-check included; CasADi as documented: casadi_real=float;"
     " CasADi remapped: its double names and constants made float by hand; SymPy: float32 and cse;"
