@@ -86,7 +86,7 @@ def findings(result: Table1, times: dict[str, float]) -> tuple[Finding, ...]:
                 f"{times[OURS]:.0f} ns, {result.ratio:.1f} times faster than kernel and quadratic"
                 " program",
                 f"the faster of the two; the same tensions to {worst(result):.0e} N"),
-        Finding("Table 1", "tensions of reduced matrices", "taken for as good",
+        Finding("Table 1", "tensions of reduced matrices", '"the good solution"',
                 f"optimal in {excess.optimal:.1%}; their norm is up to {excess.norm[1]:.0%} higher,"
                 f" the largest tension up to {excess.tension[1]:.0%}",
                 "all but two cables hold t_min: the lowest sum, not the least norm"),
