@@ -105,13 +105,13 @@ def table1_solvers(machine: Machine) -> dict[str, Solver]:
 
 
 def tension_folder(machine: Machine) -> Path:
-    """A generated folder with the tension topic and reduced matrices, accuracy not measured."""
-    functions = [*tension.functions(machine), comparison.reduced_pairs(machine)]
-    items: dict[str, Item] = {function.name: lowered(function) for function in functions}
+    """A generated folder with the tension methods alone, accuracy not measured."""
+    known: dict[str, Item] = {f.name: lowered(f) for f in tension.functions(machine)}
     for composite in tension.composites(machine):
-        items[composite.name] = composed(composite, items)
-    model = Model(machine, {"tension": [*items.values()]})
-    return folder_of(machine, render(model, {name: Accuracy() for name in items}))
+        known[composite.name] = composed(composite, known)
+    published: list[Item] = [lowered(f) for f in comparison.functions(machine)]
+    model = Model(machine, {"tension": [*known.values()], "comparison": published})
+    return folder_of(machine, render(model, {i.function.name: Accuracy() for i in model.items()}))
 
 
 def tensions(solver: Solver, problems: TensionProblems) -> Reals:

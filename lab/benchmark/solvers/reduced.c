@@ -1,5 +1,5 @@
 #include "solve_all.h"
-#include "tb_tension.h"
+#include "tb_comparison.h"
 
 void solve_all(size_t count, const double structure[], const double wrench[], double tension[],
                int solved[])

@@ -9,10 +9,10 @@ REDUCED = "reduced matrices"
 
 
 def reduced(generated: Path) -> Solver:
-    """The method in a generated folder that has it."""
+    """The method of one machine's generated folder."""
     flags = (*OUR_FLAGS, f"-I{generated}")
     objects = [
         adapter("reduced", flags),
-        compile_object(generated / "tb_tension.c", BUILD / "tb_tension.o", flags),
+        compile_object(generated / "tb_comparison.c", BUILD / "tb_comparison.o", flags),
     ]
     return c_solver(REDUCED, "status included; lowest sum, T_max not looked at", objects)
