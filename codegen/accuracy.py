@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.composite import Item
+from codegen.composite import Item, cost
 from codegen.double_double import DoubleDouble
 from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, Result, double_for, evaluate, extended
 from codegen.samples import Sampler
@@ -20,6 +20,12 @@ Array = NDArray[np.float64]
 
 #: Points tried at first, and again around the worst ones in every round of the search.
 FIRST_POINTS, ROUND_POINTS, ROUNDS = 8192, 2048, 3
+#: New points around each of the worst.
+NEIGHBOURS = 16
+#: Operations times points that one search may take at first; costly functions get fewer ...
+MOST_WORK = 4e7
+#: ... but no fewer than these.
+FEWEST_POINTS = 128
 #: The stated bound over the worst error found.
 MARGIN = 4.0
 
@@ -47,7 +53,7 @@ class Accuracy:
 
 def measure(machine: Machine, routine: Item, seed: int = 1) -> Accuracy:
     """Search the working domain for the largest errors of a routine."""
-    sampler = Sampler(machine, seed, FIRST_POINTS)
+    sampler = Sampler(machine, seed, affordable(routine, FIRST_POINTS))
     function = routine.function
     points = [sampler.argument(function.name, a.name, a.size) for a in function.inputs]
     results: dict[str, dict[str, WorstCase]] = {output.name: {} for output in function.outputs}
@@ -56,6 +62,13 @@ def measure(machine: Machine, routine: Item, seed: int = 1) -> Accuracy:
         for output, case in zip(function.outputs, worst, strict=True):
             results[output.name][arithmetic.name] = case
     return Accuracy(results)
+
+
+def affordable(routine: Item, points: int) -> int:
+    """How many of some points a function is tried at: fewer where it is costly."""
+    operations = sum(cost(routine).values())
+    share = min(1.0, MOST_WORK / max(operations * FIRST_POINTS, 1))
+    return max(int(share * points), min(points, FEWEST_POINTS))
 
 
 class Search:
@@ -88,8 +101,9 @@ class Search:
         self, points: list[Array], errors: Array, spread: list[Array], scale: float
     ) -> list[Array]:
         """New points around those with the largest errors."""
-        leaders = np.argsort(-errors.max(axis=1), kind="stable")[: ROUND_POINTS // 16]
-        chosen = np.repeat(leaders, 16)
+        count = affordable(self.routine, ROUND_POINTS) // NEIGHBOURS
+        leaders = np.argsort(-errors.max(axis=1), kind="stable")[:count]
+        chosen = np.repeat(leaders, NEIGHBOURS)
         moved = []
         for p, width in zip(points, spread, strict=True):
             noise = self.random.standard_normal((len(chosen), p.shape[1]))

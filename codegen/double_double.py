@@ -90,6 +90,15 @@ class DoubleDouble:
     def __le__(self, other: "DoubleDouble") -> Any:
         return (self.high < other.high) | ((self.high == other.high) & (self.low <= other.low))
 
+    def __eq__(self, other: object) -> Any:
+        assert isinstance(other, DoubleDouble)
+        return (self.high == other.high) & (self.low == other.low)
+
+    def __ne__(self, other: object) -> Any:
+        return ~(self == other)
+
+    __hash__ = None  # type: ignore[assignment]  # equality is entry by entry
+
 
 def _normalised(high: Array, low: Array) -> DoubleDouble:
     total = high + low

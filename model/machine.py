@@ -419,7 +419,11 @@ def load_machine(path: str | Path) -> Machine:
     Raises MachineError, whose text names the file, the key, what was found and what is allowed.
     """
     path = Path(path)
-    tables = _read_toml(path)
+    return machine_from(_read_toml(path), path)
+
+
+def machine_from(tables: dict[str, Any], path: Path) -> Machine:
+    """The machine that a file's tables describe; MachineError names `path` as the file."""
     try:
         machine = Machine.model_validate(tables)
     except ValidationError as error:

@@ -1,7 +1,7 @@
 """What the reference expects of the methods to compare with, and how nearly.
 
 Which set of cables qualifies, or which one is adjacent, is decided by a comparison, and rounding
-may choose either side of it. So the reference is asked again with the columns of S and the wrench a
+may choose either side of it. So the reference is asked again with bounds, columns of S and wrench a
 hair off, either way: what that moves is allowed, and where it turns an answer into none, or back,
 either status is.
 """
@@ -23,7 +23,7 @@ from codegen.judges.problem import (
     broadcast,
     statuses,
 )
-from codegen.judges.tensions import RANK_FACTOR, TENSION_ROUNDINGS, rank_limit
+from codegen.judges.tensions import RANK_FACTOR, TENSION_ROUNDINGS, rank_limit, with_bounds
 from model.machine import Machine
 from model.reference import brau
 from model.reference.arrays import norm
@@ -35,7 +35,7 @@ from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS
 #: What is moved in so many random directions, either way, may in truth move by so much more.
 DIRECTIONS, MARGIN = 2, 4.0
 
-Method = Callable[[Wide, Wide], Wide]
+Method = Callable[[Machine, Wide, Wide], Wide]
 
 
 @dataclass(frozen=True)
@@ -52,18 +52,21 @@ class Moved:
 
 
 def moved(p: Problem, other: Wide, method: Method) -> Moved:
-    """A method of S and a second argument, with both as they are and a hair off."""
+    """A method of S and a second argument, with all as it is and a hair off."""
     random = np.random.default_rng(1)
     structure, hair = p["structure"], TENSION_ROUNDINGS * p.epsilon
     size = norm(other)[:, None] if other.ndim > 1 else np.abs(other)
-    results = [method(structure, other)]
+    results = [method(p.machine, structure, other)]
+    for move in (hair, -hair):
+        results.append(method(with_bounds(p.machine, move), structure, other))
     for _ in range(DIRECTIONS):
         turn = random.standard_normal(structure.shape)
         stretch = random.uniform(0, 1, structure.shape[-1])
         push = size * random.standard_normal(other.shape)
         for move in (hair, -hair):
-            results.append(method(structure * (1 + move * stretch), other + move * push))
-            results.append(method(structure + move * turn, other))
+            stretched = structure * (1 + move * stretch)
+            results.append(method(p.machine, stretched, other + move * push))
+            results.append(method(p.machine, structure + move * turn, other))
     rows = [np.isfinite(r).reshape(p.count, -1).all(axis=1) for r in results]
     value = results[0]
     with np.errstate(invalid="ignore"):
@@ -125,7 +128,7 @@ def rank(p: Problem) -> tuple[Bools, Bools]:
 def kernel_tension(p: Problem) -> Expected:
     """More redundant cables are solved like Yoon's eq. 22: up to a residual of its own."""
     machine = p.machine
-    found = moved(p, p["wrench"], lambda s, w: brau.kernel_tension(machine, s, w))
+    found = moved(p, p["wrench"], brau.kernel_tension)
     singular = rank(p)
     largest = np.max(np.where(np.isfinite(found.value), found.value, 0), axis=-1)
     least = np.maximum(least_singular_value(weighed(p)), rank_limit(p.epsilon))
@@ -138,7 +141,7 @@ def kernel_tension(p: Problem) -> Expected:
 def reduced_matrix_tension(p: Problem) -> Expected:
     """A set that is nearly dependent is passed over: where it is the best, anything is right."""
     machine = p.machine
-    found = moved(p, p["wrench"], lambda s, w: brau.reduced_matrix_tension(machine, s, w))
+    found = moved(p, p["wrench"], brau.reduced_matrix_tension)
     near = least_of_sets(p) < RANK_FACTOR * rank_limit(p.epsilon)
     bears = np.where(np.isfinite(found.value), found.value, 0) > machine.tension.min
     doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p)[1]
@@ -154,18 +157,18 @@ def least_of_sets(p: Problem) -> Wide:
     return np.asarray(np.min(each, axis=0))
 
 
-def in_proportion(p: Problem, method: Callable[[Machine, Wide, float], Wide]) -> Method:
+def in_proportion(method: Callable[[Machine, Wide, float], Wide]) -> Method:
     """Tensions that grow with the force: no force asks for none, even where a unit has no limit."""
 
-    def tensions(structure: Wide, force: Wide) -> Wide:
-        return np.asarray(method(p.machine, structure, 1.0) * force[:, None])
+    def tensions(machine: Machine, structure: Wide, force: Wide) -> Wide:
+        return np.asarray(method(machine, structure, 1.0) * force[:, None])
 
     return tensions
 
 
 def largest_tensions_eq12(p: Problem) -> Expected:
     """A set of dependent cables is a fault; it counts as that by pivots of all its facets."""
-    found = moved(p, p["force"], in_proportion(p, brau.largest_tensions_eq12))
+    found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq12))
     least, limit = least_of_sets(p), rank_limit(p.epsilon)
     singular = (least < limit / RANK_FACTOR / p.machine.dof, least < limit * RANK_FACTOR)
     some = Moved(
@@ -179,7 +182,7 @@ def largest_tensions_eq12(p: Problem) -> Expected:
 
 def largest_tensions_eq17(p: Problem) -> Expected:
     """Of cables in one direction either is the adjacent one."""
-    found = moved(p, p["force"], in_proportion(p, brau.largest_tensions_eq17))
+    found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq17))
     rays = np.swapaxes(p["structure"], -1, -2)
     along = np.einsum("kid,kjd->kij", rays, rays)
     sine = rays[:, :, None, 0] * rays[:, None, :, 1] - rays[:, :, None, 1] * rays[:, None, :, 0]
@@ -193,11 +196,11 @@ def largest_tensions_eq17(p: Problem) -> Expected:
 def largest_tension(p: Problem) -> Expected:
     """The reference takes one force: S over it makes that 1; no force is a case of its own."""
 
-    def least(structure: Wide, force: Wide) -> Wide:
+    def least(machine: Machine, structure: Wide, force: Wide) -> Wide:
         without = force <= 0
         size = np.where(without, 1, force)
-        some = brau.largest_tension(p.machine, structure / size[:, None, None], 1.0)
-        return np.where(without, brau.largest_tension(p.machine, structure, 0.0), some)
+        some = brau.largest_tension(machine, structure / size[:, None, None], 1.0)
+        return np.where(without, brau.largest_tension(machine, structure, 0.0), some)
 
     return told(p, out_of_reach(p, moved(p, p["force"], least)), 0.0, {})
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 5d3a4e87e1b79b87, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine dae4b2f206071473, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_comparison.h"
 
 tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], real_t
@@ -844,34 +844,30 @@ static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t s
         const real_t t1 = TB_EPSILON * TB_C(64.0);
         const real_t t2 = TB_C(1.0) / t0;
         const real_t t3 = chosen[0] * t2;
-        const real_t t4 = t3 * structure[4];
-        const real_t t5 = chosen[1] * t2;
-        const real_t t6 = t5 * structure[0];
-        const real_t t7 = t3 * structure[5];
-        const real_t t8 = t5 * structure[1];
-        const real_t t9 = tb_max(t4 - t6, TB_C(0.0)) + tb_max(t7 - t8, TB_C(0.0));
-        const real_t t10 = t3 * structure[6];
-        const real_t t11 = t5 * structure[2];
-        const real_t t12 = t3 * structure[7];
-        const real_t t13 = t5 * structure[3];
-        const real_t t14 = t9 + tb_max(t10 - t11, TB_C(0.0)) + tb_max(t12 - t13, TB_C(0.0));
-        const real_t t15 = tb_max(t6 - t4, TB_C(0.0)) + tb_max(t8 - t7, TB_C(0.0));
-        const real_t t16 = t15 + tb_max(t11 - t10, TB_C(0.0)) + tb_max(t13 - t12, TB_C(0.0));
-        const real_t t17 = size[0] + TB_C(3.0) * t16;
-        real_t t18;
-        if (t1 < t14) {
-            t18 = t17 / t14;
+        const real_t t4 = chosen[1] * t2;
+        const real_t t5 = t3 * structure[4] - t4 * structure[0];
+        const real_t t6 = t3 * structure[5] - t4 * structure[1];
+        const real_t t7 = t3 * structure[6] - t4 * structure[2];
+        const real_t t8 = t3 * structure[7] - t4 * structure[3];
+        const real_t t9 = TB_ABS(t5) + TB_ABS(t6) + TB_ABS(t7) + TB_ABS(t8);
+        const real_t t10 = t8 + (t7 + (t5 + t6));
+        const real_t t11 = (t9 + t10) * TB_C(0.5);
+        const real_t t12 = TB_C(0.5) * (t9 - t10);
+        const real_t t13 = size[0] + TB_C(3.0) * t12;
+        real_t t14;
+        if (t1 < t11) {
+            t14 = t13 / t11;
         } else {
-            t18 = t1 < t17 ? TB_C(1e+30) : TB_C(0.0);
+            t14 = t1 < t13 ? TB_C(1e+30) : TB_C(0.0);
         }
-        const real_t t19 = size[0] + t14 * TB_C(3.0);
-        real_t t20;
-        if (t1 < t16) {
-            t20 = t19 / t16;
+        const real_t t15 = size[0] + t11 * TB_C(3.0);
+        real_t t16;
+        if (t1 < t12) {
+            t16 = t15 / t12;
         } else {
-            t20 = t1 < t19 ? TB_C(1e+30) : TB_C(0.0);
+            t16 = t1 < t15 ? TB_C(1e+30) : TB_C(0.0);
         }
-        most_0 = tb_max(most[0], tb_max(t18, t20));
+        most_0 = tb_max(most[0], tb_max(t14, t16));
     } else {
         most_0 = most[0];
     }

@@ -7,12 +7,13 @@ from lab.benchmark.map.comparison import compare_maps
 from lab.benchmark.native import ROOT
 from lab.benchmark.report import Results, show, write_json
 from lab.benchmark.step.comparison import compare_steps
+from lab.benchmark.table1 import compare_table1
 from lab.benchmark.targets import targets
 from lab.benchmark.tension import all_solvers, compare
 from lab.benchmark.tension_problems import tension_problems
 from model.machine import load_machine
 
-MACHINE = "yoon2023"
+MACHINE, SQUARE = "yoon2023", "brau_square"
 SEED = 20231
 #: Many problems: of a few the branch predictor would learn every one.
 PROBLEMS, REPETITIONS = 10_000, 15
@@ -22,20 +23,23 @@ CALLS = 32
 
 def main() -> None:
     """Measure, print, write."""
-    machine = load_machine(ROOT / "machines" / f"{MACHINE}.toml")
+    machine, square = (load_machine(ROOT / "machines" / f"{m}.toml") for m in (MACHINE, SQUARE))
     generated = ROOT / "generated" / MACHINE
     console = Console()
     with console.status("timing the tension solve"):
         solvers = all_solvers(machine, generated)
         problems = tension_problems(machine, PROBLEMS, SEED)
         tension = [compare(solvers, each, REPETITIONS) for each in problems]
+    with console.status("timing Brau Table 1"):
+        table1 = compare_table1(square)
     with console.status("timing the controller step"):
         step = compare_steps(machine, generated, PROBLEMS, REPETITIONS)
     with console.status("counting instructions on a Cortex-M4F"):
         counts = count_instructions(machine, generated, CALLS, SEED)
     with console.status("timing the map"):
         maps = compare_maps(machine, generated, REPETITIONS)
-    results = Results(MACHINE, tension, step, counts, maps, targets=targets(tension, step, maps))
+    promised = targets(tension, table1, step, maps)
+    results = Results(MACHINE, tension, table1, step, counts, maps, promised)
     show(results, console)
     write_json(results, ROOT / "build" / "bench.json")
 

@@ -11,11 +11,12 @@ from rich.table import Table
 
 from lab.benchmark.cortex_m4.comparison import CountRow
 from lab.benchmark.map.comparison import MapRow, MapTable
+from lab.benchmark.solvers.turnbuckle import OURS
 from lab.benchmark.step.comparison import StepRow
+from lab.benchmark.table1 import Table1
 from lab.benchmark.targets import Target
 from lab.benchmark.tension import Row, TensionTable
 
-OURS = "turnbuckle"
 COUNTED = (
     "turnbuckle: bounds, status and self-check included; CasADi as documented: casadi_real=float;"
     " CasADi remapped: its double names and constants made float by hand; SymPy: float32 and cse;"
@@ -29,6 +30,7 @@ class Results:
 
     machine: str
     tension: list[TensionTable]
+    table1: Table1
     step: list[StepRow]
     cortex_m4: list[CountRow]
     maps: list[MapTable]
@@ -45,6 +47,7 @@ def show(results: Results, console: Console) -> None:
     """Print every table; the ratios are peer / ours, of least times."""
     for table in results.tension:
         console.print(tension_table(table))
+    console.print(table1_view(results.table1))
     console.print(step_table(results.step))
     console.print(count_table(results.cortex_m4))
     for each in results.maps:
@@ -70,6 +73,17 @@ def tension_table(table: TensionTable) -> Table:
             str(agreement.missed),
             str(agreement.invented),
         )
+    return view
+
+
+def table1_view(table1: Table1) -> Table:
+    """Brau's comparison, and what reduced matrices give away."""
+    view, excess = tension_table(table1.table), table1.excess
+    view.caption = (
+        f"{view.caption}; reduced matrices: optimal in {excess.optimal:.1%}, |T| higher by"
+        f" {excess.norm[0]:.2%} on average and {excess.norm[1]:.1%} at most, the largest tension"
+        f" by {excess.tension[0]:.1%} and {excess.tension[1]:.0%}"
+    )
     return view
 
 

@@ -6,6 +6,7 @@ from statistics import geometric_mean
 
 from lab.benchmark.map.comparison import LARGE, LOOP, NUMPY, MapTable
 from lab.benchmark.step.comparison import StepRow
+from lab.benchmark.table1 import Table1
 from lab.benchmark.tension import TensionTable
 
 
@@ -24,10 +25,18 @@ class Target:
 
 
 def targets(
-    tension: Sequence[TensionTable], step: Sequence[StepRow], maps: Sequence[MapTable]
+    tension: Sequence[TensionTable],
+    table1: Table1,
+    step: Sequence[StepRow],
+    maps: Sequence[MapTable],
 ) -> list[Target]:
     """All promises."""
-    return [*solver_targets(tension, step), *map_targets(maps)]
+    return [*solver_targets(tension, step), table1_target(table1), *map_targets(maps)]
+
+
+def table1_target(table1: Table1) -> Target:
+    """The promise about Brau's comparison: against the faster quadratic program."""
+    return Target("Brau Table 1, kernel + QP", 6.0, table1.ratio)
 
 
 def map_targets(maps: Sequence[MapTable]) -> list[Target]:

@@ -1,6 +1,6 @@
 """The tension solve: ours against published solvers, judged by the independent reference."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -58,16 +58,33 @@ def all_solvers(machine: Machine, generated: Path) -> list[Solver]:
     return [turnbuckle(generated), daqp(machine), qrqp(machine), osqp(machine), QUADPROG]
 
 
-def compare(solvers: Sequence[Solver], problems: TensionProblems, repetitions: int) -> TensionTable:
-    """Time all solvers in turn and check what they answered."""
-    runs = {solver.name: solver.prepare(problems) for solver in solvers}
-    timings = time_in_turn(runs, problems.count, repetitions)
+def compare(
+    solvers: Sequence[Solver], problems: TensionProblems, repetitions: int, sweeps: int = 1
+) -> TensionTable:
+    """Time all solvers in turn and check what they answered.
+
+    In its turn a solver sweeps the problems so many times: of few problems, one sweep would time
+    how caches forget what the solver before it left there.
+    """
+    runs = {solver.name: swept(solver.prepare(problems), sweeps) for solver in solvers}
+    timings = time_in_turn(runs, problems.count * sweeps, repetitions)
     reference = Reference.of(problems)
     rows = [
         Row(solver.name, solver.note, timings[solver.name], reference.judge(runs[solver.name]()))
         for solver in solvers
     ]
     return TensionTable(problems.name, problems.count, int(np.sum(reference.feasible)), rows)
+
+
+def swept(solve: Callable[[], Answers], sweeps: int) -> Callable[[], Answers]:
+    """Solves all problems so many times and gives the last answers."""
+
+    def sweep() -> Answers:
+        for _ in range(sweeps - 1):
+            solve()
+        return solve()
+
+    return sweep
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from lab.figures import brau, yoon
 from lab.figures.findings import Drawn, Finding
+from lab.figures.table1 import table1
 from model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
@@ -33,6 +34,7 @@ def draw_all() -> dict[str, list[Drawn]]:
             brau.fig6(stock("brau_triangle")),
             brau.fig7(stock("brau_tetrahedron")),
             brau.fig8(square),
+            table1(square),
         ],
     }
 

@@ -55,10 +55,8 @@ class Facet:
 
     def sides(self) -> tuple[Scalar, Scalar]:
         """Sums of the positive and of the negative m . s_i, both as magnitudes."""
-        return (
-            total([ca.fmax(height, 0) for height in self.heights]),
-            total([ca.fmax(-height, 0) for height in self.heights]),
-        )
+        whole, size = total(self.heights), total([ca.fabs(height) for height in self.heights])
+        return (size + whole) / 2, (size - whole) / 2
 
     def slope(self, space: int) -> Scalar:
         """Length of the normal's part along forces: 1 where there are no moments."""

@@ -2,8 +2,9 @@
 
 Wolfe's algorithm for the point of least norm of a polytope (Mathematical Programming 11, 1976) on
 {S T - W : T_min <= T <= T_max}. It holds at most d + 1 vertices. A step finds the point of least
-norm of the flat through them. Where that lies between them, the vertex farthest on the near side of
-the plane through it and across it joins them, if there is one; else one of them is dropped.
+norm of the flat through them. Where that lies between them, a plane through it, across the way from
+the origin, bounds the polytope, and it is found, or there are vertices on the near side of the
+plane: the one farthest from it joins. Where it lies beside them, one of them is dropped.
 """
 
 from collections.abc import Callable, Sequence
@@ -28,13 +29,14 @@ from model.symbolic.linear import add_scaled, dot, multiply, norm, subtract, tra
 from model.symbolic.polytope import knock_out
 from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, smallest, sqrt, total, where
 
-#: A vertex is beyond the plane, or the origin off the polytope, by more than so many EPSILON.
+#: A vertex is beyond the plane by more than so many EPSILON of the numbers it is made of.
 BEYOND = 64.0
 #: A wrench is infeasible when it misses the feasible ones by this many EPSILON of what all cables
-#: can exert: less than the tensions of least norm may miss it by.
-OUTSIDE = 4.0
+#: can exert: half of what the tensions of least norm may miss it by.
+OUTSIDE = 16.0
 FAR = 1e30
-#: Steps a vertex: twice the most that were needed in a million problems around the border.
+#: Steps a vertex, twice what a hundred thousand wrenches around the border take: 8.3 were the most
+#: seen, with 16 cables in six dimensions (tests/equivalence/test_many_cables.py).
 STEPS_PER_VERTEX = 20
 
 
@@ -80,9 +82,12 @@ class Reach:
 
     def is_nearest(self, offset: Vector, gap: Scalar) -> Scalar:
         """Whether no point of the polytope is nearer than one of its points, up to rounding."""
-        tiny = BEYOND * EPSILON * self.scale
         length = norm(offset)
-        return ca.logic_or(gap <= tiny * length, length <= tiny)
+        return ca.logic_or(gap <= BEYOND * EPSILON * self.scale * length, self.is_inside(length))
+
+    def is_inside(self, length: Scalar) -> Scalar:
+        """Whether a way of this length to the nearest feasible wrench is rounding."""
+        return length <= OUTSIDE * EPSILON * self.whole
 
 
 @dataclass(frozen=True)
@@ -207,7 +212,7 @@ def nearest(reach: Reach, offset: Vector) -> Nearest:
     """The loop's result with its own check: the support function of the feasible wrenches."""
     return Nearest(
         offset,
-        norm(offset) <= OUTSIDE * EPSILON * reach.whole,
+        reach.is_inside(norm(offset)),
         Verdict(
             ca.logic_not(reach.is_nearest(offset, reach.gap(offset))),
             Status.INACCURATE,

@@ -5,7 +5,7 @@ What happens to a wrench that no admissible tension exerts is a policy of the ma
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -65,7 +65,7 @@ SMALLEST_PIVOT = 1e-6
 #: ... or below this many EPSILON, where a pivot is rounding.
 RANK_TOLERANCE = 4096.0
 #: The solver without a loop nests once more with every redundant cable; beyond this many a loop
-#: takes less code.
+#: takes less code, and in more than two dimensions it closes fewer corners by rounding.
 UNROLLED_REDUNDANCY = 2
 #: Dimension in which the feasible wrenches are a polygon.
 PLANE = 2
@@ -145,11 +145,10 @@ def least_norm_function(
 ) -> ModelFunction:
     """Exact bounded distribution of a feasible wrench."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
-    matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
+    matrix, wanted = structure.rows(), wrench.scalars()
     low, high = machine.tension.min, machine.tension.max
     space = method(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, high)
-    solution = replace(solution, delivered=multiply(structure.rows(), solution.tension))
     limit = ca.fmin(rounding(tolerance, ca.SX(high), space), LARGEST_MISS * high)
     return ModelFunction(
         name,
@@ -314,15 +313,13 @@ def scale_by_ray(machine: Machine) -> Composition:
 def paper_function(machine: Machine) -> ModelFunction:
     """Yoon's own control law: eq. 22 has no upper bound, eq. 23 clips what exceeds it."""
     structure, wrench = arguments.structure(machine), arguments.wrench(machine)
-    matrix, wanted = weighed_rows(machine, structure.rows()), weighed(machine, wrench.scalars())
+    matrix, wanted = structure.rows(), wrench.scalars()
     low, high = machine.tension.min, machine.tension.max
     space = factored(matrix, wanted)
     solution = least_norm_tension(matrix, wanted, space, low, None)
     limit = rounding(KKT_TOLERANCE, largest(solution.tension), space)
     solved = solution.kkt_residual <= ca.fmin(limit, LARGEST_MISS * high)
-    answer, verdicts = clipped(
-        structure.rows(), solution.tension, solution.kkt_residual, solved, low, high
-    )
+    answer, verdicts = clipped(matrix, solution.tension, solution.kkt_residual, solved, low, high)
     return ModelFunction(
         PAPER,
         PAPER_SUMMARY,
@@ -384,8 +381,8 @@ def least_pivot() -> Scalar:
 
 
 def is_unrolled(machine: Machine) -> bool:
-    """Whether tensions are found without a loop."""
-    return machine.redundancy <= UNROLLED_REDUNDANCY
+    """Whether tensions are found without a loop: in the plane, of few cables."""
+    return machine.dof == PLANE and machine.redundancy <= UNROLLED_REDUNDANCY
 
 
 def planar_policies(machine: Machine) -> list[str]:

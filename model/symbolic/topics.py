@@ -11,7 +11,7 @@ TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematic_functions.functions),
     "statics": ("forces between cables, platform and bases", statics.functions),
     "tension": ("tension distribution", tension.functions),
-    "comparison": ("tension methods to compare with", comparison.functions),
+    "comparison": ("published tension methods", comparison.functions),
     "quality": ("tension factor and isotropic force of a pose", quality.functions),
     "control": ("control laws around the tension distribution", control.functions),
 }

@@ -76,9 +76,9 @@ def ray_within(
     """Where the ray s W, W of a height along a normal, runs between a pair of facets.
 
     Returns the least and largest s, with the facets further out by a slack, and the largest s
-    without. A ray along the facets is between them everywhere or nowhere.
+    without. A ray that runs along the facets up to the slack is between them everywhere or nowhere.
     """
-    crosses = ca.fabs(height) > 0
+    crosses = ca.fabs(height) > slack
     inverse = 1 / height
     sides = (centre - half - slack) * inverse, (centre + half + slack) * inverse
     beside = ca.fabs(centre) > half + slack

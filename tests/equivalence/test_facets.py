@@ -8,14 +8,14 @@ import pytest
 import quadprog
 from built import answered, built
 from kinds import Array, machine_of, structures, weighed
-from scipy.optimize import linprog
+from scipy.optimize import linprog, lsq_linear
 from scipy.spatial import ConvexHull
 
 from codegen.bind import REALS, Generated
 from codegen.chain import Chain, chain
 from codegen.composite import Item
 from codegen.enumeration import enumeration
-from codegen.generate import lowered
+from codegen.generate import composed, lowered
 from model.machine import Machine
 from model.symbolic import arguments, kinematic_functions, quality_by_facets, tension
 from model.symbolic.function import ModelFunction, Status, vector_output
@@ -223,3 +223,33 @@ def test_a_pose_at_a_pulley_is_singular_for_every_quality(
     for name in ("zero_wrench_tension", "tension_factor", "isotropic_force"):
         answer = library.functions[name](pose)
         assert answer.status == Status.SINGULAR
+
+
+def nearest_wrench(machine: Machine, matrix: Array, wrench: Array) -> Array:
+    """The feasible wrench nearest to one, weighed, by least squares within bounds."""
+    bounds = (machine.tension.min, machine.tension.max)
+    rows = weighed(machine, matrix)
+    found = lsq_linear(rows, weighed(machine, wrench[:, None])[:, 0], bounds, method="bvls")
+    return np.asarray(rows @ found.x)
+
+
+def test_the_distribution_delivers_the_largest_fraction_or_the_nearest_wrench(
+    machine: Machine,
+) -> None:
+    known: dict[str, Item] = {f.name: lowered(f) for f in tension.functions(machine)}
+    for composite in tension.composites(machine):
+        known[composite.name] = composed(composite, known)
+    library = built(machine, list(known.values()), "double")
+    given, wrench = problems(machine)
+    answer = library.distribute_tension_scale(given, wrench)
+    assert np.all(answer.status <= Status.INFEASIBLE)
+    for k, (matrix, wanted) in enumerate(zip(given, wrench, strict=True)):
+        fraction = largest_fraction(machine, matrix, wanted)
+        if fraction is None:
+            served = nearest_wrench(machine, matrix, wanted)
+        else:
+            served = fraction * weighed(machine, wanted[:, None])[:, 0]
+        got = weighed(machine, answer.delivered[k][:, None])[:, 0]
+        assert np.max(np.abs(got - served)) < 1e-6 * np.max(np.abs(wanted))
+        assert np.all(answer.tension[k] >= machine.tension.min)
+        assert np.all(answer.tension[k] <= machine.tension.max)

@@ -55,4 +55,5 @@ def test_the_root_of_zero_is_zero() -> None:
 def test_comparison_looks_at_the_low_part() -> None:
     one, more = DoubleDouble(np.ones(1)), DoubleDouble(np.ones(1), np.full(1, 1e-20))
     assert one < more and one <= more and not more < one
+    assert one != more and one == DoubleDouble(np.ones(1)) and not bool(one == more)
     assert choose(np.array([True]), one, more).low[0] == 0

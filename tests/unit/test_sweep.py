@@ -9,6 +9,7 @@ import pytest
 from built import answered, built
 from numpy.typing import NDArray
 
+from codegen.accuracy import FIRST_POINTS, NEIGHBOURS, affordable
 from codegen.bind import REALS
 from codegen.composite import cost, fingerprint, most_visits
 from codegen.enumeration import Enumeration, enumeration
@@ -114,10 +115,17 @@ def test_every_visit_costs() -> None:
 
 def test_with_more_bits_a_sweep_is_nearer_the_exact_result() -> None:
     flat = matrices().reshape(-1, ROWS * COLUMNS)
-    exact = evaluate(item(), [flat], extended(DOUBLE.epsilon)).outputs[0][0]
-    near = evaluate(item(), [flat], DOUBLE).outputs[0][0]
+    wide = evaluate(item(), [flat], extended(DOUBLE.epsilon)).outputs
+    exact, near = wide[0][0], evaluate(item(), [flat], DOUBLE).outputs[0][0]
     assert np.any(exact.low != 0)
     assert np.max(np.abs(exact.high - near)) < 1e-14
+
+
+def test_a_long_sweep_is_tried_at_fewer_points() -> None:
+    assert affordable(item(), FIRST_POINTS) == FIRST_POINTS
+    long = enumeration(replace(longest_sum(), subsets=PAIRS * 64), lowered)
+    assert affordable(long, FIRST_POINTS) == FIRST_POINTS // 10
+    assert affordable(long, 1) == NEIGHBOURS
 
 
 def test_parts_that_do_not_fit_together_are_refused() -> None:

@@ -5,6 +5,8 @@ from pathlib import Path
 from lab.benchmark.native import BUILD, OUR_FLAGS, compile_object
 from lab.benchmark.solvers.solver import Solver, adapter, c_solver
 
+OURS = "turnbuckle"
+
 
 def turnbuckle(generated: Path) -> Solver:
     """The solver of one machine's generated folder."""
@@ -13,4 +15,4 @@ def turnbuckle(generated: Path) -> Solver:
         adapter("turnbuckle", flags),
         compile_object(generated / "tb_tension.c", BUILD / "tb_tension.o", flags),
     ]
-    return c_solver("turnbuckle", "status, policy and KKT check included", objects)
+    return c_solver(OURS, "status, policy and KKT check included", objects)

@@ -1,0 +1,129 @@
+"""A machine file as its user wrote it, and the machines it describes with other quantities in it.
+
+Everything here happens on the TOML: what a key means is the schema's business. A location is the
+way to a value, such as ("cable", 1, "base", 0) for `cable[2].base[1]`.
+"""
+
+from __future__ import annotations
+
+import copy
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+from tomlkit.container import OutOfOrderTableProxy
+from tomlkit.items import AoT, Item, Table
+
+from model.machine import Machine, load_machine, machine_from
+from model.problem import key_path
+from model.quantity import QUANTITY
+
+Location = tuple[str | int, ...]
+Changes = Mapping[Location, str]
+"""New text for the quantity at each location."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """A quantity as written: its number, and its unit as the user spells it."""
+
+    number: Decimal
+    unit: str
+
+
+@dataclass(frozen=True)
+class Document:
+    """A machine file that describes a machine."""
+
+    path: Path
+    text: str
+    tables: dict[str, Any]
+
+    @classmethod
+    def read(cls, path: Path) -> Document:
+        """Read a machine file; MachineError where load_machine raises it."""
+        load_machine(path)
+        text = path.read_bytes().decode("utf-8")
+        return cls(path, text, tomllib.loads(text))
+
+    def values(self) -> dict[str, tuple[Location, Any]]:
+        """Every table, array and value by its key, as error messages print keys."""
+        return {key_path(location): (location, value) for location, value in _walk((), self.tables)}
+
+    def quantity(self, location: Location) -> Written:
+        """The quantity at a location of the file."""
+        written = as_written(_at(self.tables, location))
+        assert written is not None  # the schema has seen to it
+        return written
+
+    def words(self, location: Location) -> str:
+        """What the file says at a location."""
+        return str(_at(self.tables, location))
+
+    def machine(self, changes: Changes) -> Machine:
+        """The machine with these changes; MachineError where they make none."""
+        tables = copy.deepcopy(self.tables)
+        _apply(tables, changes)
+        return machine_from(tables, self.path)
+
+    def text_with(self, changes: Changes) -> str:
+        """The file with these changes, its comments and layout as they are."""
+        document = tomlkit.parse(self.text)
+        for location, text in changes.items():
+            line = _line(document, location)
+            before = _at(document, line).as_string()
+            _apply(document, {location: text})
+            _align_comment(_at(document, line), before)
+        return tomlkit.dumps(document)
+
+
+def as_written(value: object) -> Written | None:
+    """A value of the file as a quantity; None where it is none."""
+    match = QUANTITY.fullmatch(value.strip().replace("**", "^")) if isinstance(value, str) else None
+    return Written(Decimal(match["number"]), match["unit"]) if match else None
+
+
+def _walk(location: Location, value: Any) -> Iterator[tuple[Location, Any]]:
+    """A value and all that it holds, with their locations."""
+    if location:
+        yield location, value
+    parts: Iterable[str | int] = ()
+    if isinstance(value, dict):
+        parts = value
+    elif isinstance(value, list):
+        parts = range(len(value))
+    for part in parts:
+        yield from _walk((*location, part), value[part])
+
+
+def _at(tables: Any, location: Location) -> Any:
+    for part in location:
+        tables = tables[part]
+    return tables
+
+
+def _line(document: tomlkit.TOMLDocument, location: Location) -> Location:
+    """The location of the whole value that holds a quantity: what one line says after its =."""
+    item: Any = document
+    for end, part in enumerate(location, start=1):
+        item = item[part]
+        if not isinstance(item, Table | AoT | OutOfOrderTableProxy):
+            return location[:end]
+    raise KeyError(location)
+
+
+def _align_comment(item: Item, before: str) -> None:
+    """Keep the comment behind a value in its column; `before` is what stood there."""
+    longer = len(item.as_string()) - len(before)
+    space = item.trivia.comment_ws
+    if item.trivia.comment and not space.strip(" "):
+        item.trivia.comment_ws = " " * max(1, len(space) - longer)
+
+
+def _apply(tables: Any, changes: Changes) -> None:
+    for location, text in changes.items():
+        _at(tables, location[:-1])[location[-1]] = text
