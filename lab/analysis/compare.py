@@ -3,14 +3,14 @@
 import json
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from codegen.folder import refuse_foreign, write_folder
 from lab.analysis.analyze import find
 from lab.analysis.figures import Figure, Findings, figures
-from lab.analysis.plots import Quantity, draw
+from lab.analysis.plots import draw, span_of
 from lab.analysis.quantities import quantities
 from lab.analysis.report import REPORT, or_null, rows, table, verdict
 from lab.analysis.slices import panels
@@ -127,18 +127,21 @@ def _change(pair: Pair, numbers: Sequence[tuple[Figure, Figure]]) -> str:
 
 def _files(result: Comparison, pair: Pair, progress: Progress) -> dict[str, str | bytes]:
     """Report, numbers and maps of a comparison, by name."""
-    kinds = [quantities(findings.machine)[:MAPS] for findings in pair]
     fields = [panels(findings.machine, progress) for findings in pair]
     maps: dict[str, str | bytes] = {}
-    for number, quantity in enumerate(kinds[0]):
+    titles = []
+    for number in range(MAPS):
         progress("drawing", number / MAPS)
-        for which, (own, some) in enumerate(zip(kinds, fields, strict=True), start=1):
-            name = f"{quantity.name}_{which}.png"
-            maps[name] = draw(own[number], some)
+        kinds = [quantities(findings.machine)[number] for findings in pair]
+        ends = [span_of(kind, some) for kind, some in zip(kinds, fields, strict=True)]
+        low, high = min(end[0] for end in ends), max(end[1] for end in ends)
+        for which, (kind, some) in enumerate(zip(kinds, fields, strict=True), start=1):
+            maps[f"{kind.name}_{which}.png"] = draw(replace(kind, low=low, high=high), some)
+        titles += [kind.title for kind in kinds]
     names = [REPORT, *maps]
     return {
         MANIFEST: _as_json(result, pair, names),
-        REPORT: _as_markdown(result, pair, kinds[0]),
+        REPORT: _as_markdown(result, pair, dict(zip(maps, titles, strict=True))),
         **maps,
     }
 
@@ -157,14 +160,14 @@ def _as_json(result: Comparison, pair: Pair, names: Sequence[str]) -> str:
     return json.dumps(content, indent=2) + "\n"
 
 
-def _as_markdown(result: Comparison, pair: Pair, maps: Sequence[Quantity]) -> str:
+def _as_markdown(result: Comparison, pair: Pair, pictures: dict[str, str]) -> str:
+    """The report; pictures: titles by file."""
     names = result.names
     lines = [f"# {names[0]} and {names[1]}", ""]
     for name, findings in zip(names, pair, strict=True):
         lines += [f"**{name}**: {verdict(findings)}", ""]
-    lines += [*table(["changed key", *names], result.changes), ""]
+    lines += [*table(["changed key", *names], result.changes or [("nothing", "", "")]), ""]
     lines += [*table(["", *names, "change"], result.rows), ""]
-    for quantity in maps:
-        for which, name in enumerate(names, start=1):
-            lines += [f"![{quantity.label} of {name}]({quantity.name}_{which}.png)", ""]
+    lines += ["Both maps of a quantity have the same colours.", ""]
+    lines += [line for file, title in pictures.items() for line in (f"![{title}]({file})", "")]
     return "\n".join(lines)

@@ -100,7 +100,7 @@ def draw(
     """The map of a quantity as PNG, one axes a panel, a column for every plane."""
     columns = len({panel.plane.axes for panel in panels})
     rows = -(-len(panels) // columns)
-    span = _span(quantity, panels)
+    span = span_of(quantity, panels)
     with rc_context(PRINT):
         figure = Figure(figsize=_size(panels, rows, columns), dpi=DPI, layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False)
@@ -130,8 +130,8 @@ def _size(panels: Sequence[AnyPanel], rows: int, columns: int) -> tuple[float, f
     return width, MARGIN + rows * (across * max(shapes) + 0.4)
 
 
-def _span(quantity: Quantity, panels: Sequence[AnyPanel]) -> Span:
-    """Of all finite values of all panels, and the limit."""
+def span_of(quantity: Quantity, panels: Sequence[AnyPanel]) -> Span:
+    """What the colours span: the finite values of all panels, and the limit."""
     parts = [quantity.values(panel).ravel() for panel in panels]
     values = np.concatenate([*parts, [quantity.limit or 0.0]])
     values = values[np.isfinite(values)]

@@ -110,6 +110,12 @@ def _method(findings: Findings) -> list[str]:
         " moment, is feasible within the tension bounds. The isotropic force comes without a"
         " moment. Cables are straight and without mass.",
     ]
+    if findings.machine.target.rotation:
+        lines += [
+            "",
+            "The platform is turned by every combination of angles about its axes, each from minus"
+            " to plus the wanted rotation.",
+        ]
     if target.lagging:
         lines += [
             "",

@@ -9,6 +9,8 @@ from model.machine import Machine
 from model.workspace.max_tension import needed_tension
 from model.workspace.structures import Demand, structures, target_demand
 
+ROUNDING = 1e-12  # a limit that is missed by less, relative to it, is met
+
 
 @dataclass(frozen=True)
 class ActuatorChoice:
@@ -27,7 +29,7 @@ class ActuatorChoice:
     @property
     def sufficient(self) -> bool:
         """Whether the machine's own motors give the torque."""
-        return self.torque <= self.torque_limit
+        return self.torque <= self.torque_limit * (1 + ROUNDING)
 
     def __str__(self) -> str:
         place = "(" + ", ".join(f"{x:.4g}" for x in self.worst_pose) + ")"
@@ -38,7 +40,7 @@ class ActuatorChoice:
             f"{self.tension:.4g} N of tension and {self.torque * 1e3:.4g} mN m of torque are needed"
             f" at {place}; the motors' {self.torque_limit * 1e3:.4g} mN m {verdict}"
         )
-        if self.tension > self.tension_limit:
+        if self.tension > self.tension_limit * (1 + ROUNDING):
             text += f", and tension.max = {self.tension_limit:.4g} N is too low"
         return text
 

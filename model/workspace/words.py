@@ -4,10 +4,8 @@ import math
 from collections.abc import Sequence
 
 from model.machine import Machine
-from model.workspace.actuators import ActuatorChoice
+from model.workspace.actuators import ROUNDING, ActuatorChoice
 from model.workspace.summary import Coverage
-
-ROUNDING = 1e-9  # a tension that misses its bound by less meets it
 
 
 def percent(share: float) -> str:
@@ -64,5 +62,6 @@ def motors_in_words(machine: Machine, choice: ActuatorChoice) -> str:
         f" at {place}; the motors' {choice.torque_limit * 1e3:.4g} mN m {verdict}"
     )
     if choice.tension > choice.tension_limit * (1 + ROUNDING):
-        text += f", and tension.max = {choice.tension_limit:.4g} N is too low"
+        also = "but" if choice.sufficient else "and"
+        text += f", {also} tension.max = {choice.tension_limit:.4g} N is too low"
     return text

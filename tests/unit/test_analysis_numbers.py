@@ -90,6 +90,12 @@ def test_the_motor_of_the_movable_rig_is_just_strong_enough() -> None:
     assert (found.tension, found.torque) == (nearly(10.0), nearly(0.05))
 
 
+def test_a_motor_that_is_just_strong_enough_is_enough(tmp_path: Path) -> None:
+    tension = ('max = "10 N"', 'max = "6.25 N"')
+    torque = ('torque_limit = "55 mN*m"', 'torque_limit = "31.25 mN*m"')
+    assert summary(edited(tmp_path, "brau_square", tension, torque)).passed
+
+
 def test_the_tension_capable_share_of_the_square() -> None:
     region = tension_capable(stock("brau_square"))
     assert region is not None

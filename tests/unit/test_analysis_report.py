@@ -134,8 +134,8 @@ def test_a_change_has_its_sign(before: float, after: float, words: str) -> None:
 
 
 def test_a_changed_key_is_shown_as_both_files_write_it(tmp_path: Path) -> None:
-    other = edited(tmp_path, "brau_square", ('max = "10 N"', 'max = "0.02 kN"'))
-    assert changed_keys(stock("brau_square"), other) == [("tension.max", '"10 N"', '"0.02 kN"')]
+    other = edited(tmp_path, "brau_square", ('max = "10 N"', 'max = "9000 mN"'))
+    assert changed_keys(stock("brau_square"), other) == [("tension.max", '"10 N"', '"9000 mN"')]
 
 
 def test_other_words_for_the_same_machine_are_no_change(tmp_path: Path) -> None:
