@@ -142,19 +142,26 @@ def reduced_matrix_tension(p: Problem) -> Expected:
     """A set that is nearly dependent is passed over: where it is the best, anything is right."""
     machine = p.machine
     found = moved(p, p["wrench"], brau.reduced_matrix_tension)
-    near = least_of_sets(p) < RANK_FACTOR * rank_limit(p.epsilon)
+    # as in the C
+    told_by = determinant if machine.dof <= 3 else least_singular_value
+    near = least_of_sets(p, told_by) < RANK_FACTOR * rank_limit(p.epsilon)
     bears = np.where(np.isfinite(found.value), found.value, 0) > machine.tension.min
     doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p)[1]
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
     return told(p, unsure, machine.tension.min, {})
 
 
-def least_of_sets(p: Problem) -> Wide:
-    """How nearly dependent any d cables are (count)."""
+def least_of_sets(p: Problem, measure: Callable[[Wide], Wide]) -> Wide:
+    """How nearly dependent any d cables are (count), by a measure of square matrices."""
     matrix = weighed(p)
     sets = combinations(range(matrix.shape[-1]), matrix.shape[-2])
-    each = [least_singular_value(matrix[..., list(chosen)]) for chosen in sets]
+    each = [measure(matrix[..., list(chosen)]) for chosen in sets]
     return np.asarray(np.min(each, axis=0))
+
+
+def determinant(matrix: Wide) -> Wide:
+    """Its magnitude, of matrices (..., d, d)."""
+    return np.asarray(np.abs(np.linalg.det(matrix.astype(float))))
 
 
 def in_proportion(method: Callable[[Machine, Wide, float], Wide]) -> Method:
@@ -169,7 +176,7 @@ def in_proportion(method: Callable[[Machine, Wide, float], Wide]) -> Method:
 def largest_tensions_eq12(p: Problem) -> Expected:
     """A set of dependent cables is a fault; it counts as that by pivots of all its facets."""
     found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq12))
-    least, limit = least_of_sets(p), rank_limit(p.epsilon)
+    least, limit = least_of_sets(p, least_singular_value), rank_limit(p.epsilon)
     singular = (least < limit / RANK_FACTOR / p.machine.dof, least < limit * RANK_FACTOR)
     some = Moved(
         np.where(np.isfinite(found.value), found.value, 0),
@@ -202,7 +209,8 @@ def largest_tension(p: Problem) -> Expected:
         some = brau.largest_tension(machine, structure / size[:, None, None], 1.0)
         return np.where(without, brau.largest_tension(machine, structure, 0.0), some)
 
-    return told(p, out_of_reach(p, moved(p, p["force"], least)), 0.0, {})
+    found = out_of_reach(p, moved(p, p["force"], least))
+    return told(p, found, 0.0, {Status.SINGULAR: rank(p)})
 
 
 JUDGES: dict[str, Judge] = {

@@ -79,7 +79,7 @@ def isotropic_force(p: Problem) -> Expected:
     value = quality.isotropic_force(p.machine, p["pose"], p["rails"])
     scale = len(p.machine.cables) * p.machine.tension.max
     slack = ROUNDINGS * p.epsilon * scale * direction_gain(p)
-    return of_quality(p, "force", value, 0.0, slack, ranked=False)
+    return of_quality(p, "force", value, 0.0, slack, ranked=p.machine.dof > 2)
 
 
 def isotropic_force_eq17(p: Problem) -> Expected:

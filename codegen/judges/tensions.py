@@ -21,7 +21,7 @@ from model.reference import tension
 from model.reference.arrays import norm
 from model.reference.planar import minors
 from model.reference.wrench_set import slabs
-from model.symbolic import tension as solver
+from model.symbolic import rank as limits
 from model.symbolic.function import Status
 from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
 
@@ -103,8 +103,9 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
     moved = [np.maximum(np.abs(a - b), np.abs(c - b)) for a, b, c in _pairs(wide, answer, tight)]
     size = norm(wrench / lever) + np.sum(answer.tension, axis=-1)
     served = ROUNDINGS * p.epsilon * size
-    if policy == "closest":
-        served = served + infeasible * corner_slack(p, wrench, answer)
+    if policy != "paper":
+        nearest = infeasible if policy == "closest" else infeasible & off_the_ray(p, wrench, answer)
+        served = served + nearest * corner_slack(p, wrench, answer)
     if policy == "scale":
         # the ray meets the border of a flat set at a small angle
         served = served + 2 * infeasible * tolerated(machine, p.epsilon, structure)
@@ -133,6 +134,16 @@ def nearly_parallel(p: Problem, structure: Wide) -> Bools:
     columns = np.swapaxes(structure / levers(p.machine)[:, None], -1, -2)
     none = np.zeros(columns.shape[:2], dtype=bool)
     return np.asarray(narrowest_share(columns, none) < 8 * p.epsilon**0.25)
+
+
+def off_the_ray(p: Problem, wrench: Wide, answer: Any) -> Bools:
+    """Where no fraction of the wrench is served, but the nearest feasible one."""
+    lever = levers(p.machine)
+    wanted, served = wrench / lever, answer.delivered / lever
+    square = np.sum(wanted**2, axis=-1)
+    share = np.sum(wanted * served, axis=-1) / np.where(square > 0, square, 1)
+    beside = norm(served - share[:, None] * wanted)
+    return np.asarray(beside > ROUNDINGS * p.epsilon * p.machine.tension.max)
 
 
 def corner_slack(p: Problem, wrench: Wide, answer: Any) -> Wide:
@@ -203,7 +214,7 @@ def paper_verdicts(
 
 def rank_limit(epsilon: float) -> float:
     """Below this a pivot of S counts as zero."""
-    return max(solver.SMALLEST_PIVOT, solver.RANK_TOLERANCE * epsilon)
+    return max(limits.SMALLEST_PIVOT, limits.RANK_TOLERANCE * epsilon)
 
 
 def rank(p: Problem, structure: Wide) -> tuple[Wide, tuple[Bools, Bools]]:

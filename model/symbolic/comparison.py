@@ -29,6 +29,7 @@ from model.symbolic.function import (
 from model.symbolic.linear import cross, dot, factorise, subtract, transpose
 from model.symbolic.null_space import factored
 from model.symbolic.polytope import Line, knock_out
+from model.symbolic.rank import least_pivot
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
@@ -45,8 +46,6 @@ from model.symbolic.tension import (
     KKT_TOLERANCE,
     LARGEST_MISS,
     PLANE,
-    RANK_TOLERANCE,
-    SMALLEST_PIVOT,
     active_set,
     is_unrolled,
     least_norm_tension,
@@ -70,11 +69,6 @@ COOPERATIVE = 64.0
 PARALLEL = 64.0
 #: Pairs of so many planar cables are written out; more are visited.
 WRITTEN_OUT = 6
-
-
-def singular_below() -> Scalar:
-    """Cables whose pivots are not above this are dependent; as for the tension distribution."""
-    return ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
 
 
 def kernel_line(machine: Machine) -> ModelFunction:
@@ -208,7 +202,7 @@ def sum_if_qualified(above: Vector, pivots: Vector, held: float) -> Scalar:
     """
     whole = total(above)
     slack = BELOW * EPSILON * (ca.fabs(whole) + held)
-    regular = smallest([ca.fabs(pivot) for pivot in pivots]) - singular_below()
+    regular = smallest([ca.fabs(pivot) for pivot in pivots]) - least_pivot()
     return where(ca.fmin(smallest(above) + slack, regular) >= 0, whole, FAR)
 
 
@@ -286,7 +280,7 @@ def largest_tensions_eq12(machine: Machine) -> Sweep:
     )
 
     def visit(facet: Facet, subset: Subset, known: Ports) -> dict[str, Vector]:
-        slope, regular = facet.slope(machine.space), facet.exists(singular_below())
+        slope, regular = facet.slope(machine.space), facet.exists(least_pivot())
         heights = [
             where(subset.holds(cable), FAR, ca.fabs(height))
             for cable, height in enumerate(facet.heights)
@@ -301,7 +295,7 @@ def largest_tensions_eq12(machine: Machine) -> Sweep:
     def finish(known: Ports) -> tuple[tuple[Output, ...], tuple[Verdict, ...]]:
         tension = [known["size"].scalars()[0] * ratio for ratio in known["most"].scalars()]
         meaning = "d of the cables are dependent, and the bound has no limit"
-        singular = not_all_above([known["least"].scalars()[0]], singular_below(), meaning)
+        singular = not_all_above([known["least"].scalars()[0]], least_pivot(), meaning)
         return (vector_output("tension", "N", tension),), (singular,)
 
     sweep = FacetSweep(machine, structure, (force,), state, visit, finish)
@@ -416,7 +410,8 @@ def functions(machine: Machine) -> list[ModelFunction]:
 
 def composites(machine: Machine) -> list[Composite]:
     """Everything that visits subsets of the cables, or takes a loop."""
-    result: list[Composite] = [] if is_unrolled(machine) else [kernel_loop(machine)]
+    by_loop = machine.redundancy > 1 and not is_unrolled(machine)
+    result: list[Composite] = [kernel_loop(machine)] if by_loop else []
     if machine.dof > PLANE or len(machine.cables) > WRITTEN_OUT:
         result.append(reduced_sweep(machine))
     return [*result, largest_tensions_eq12(machine), largest_tension(machine)]

@@ -17,6 +17,7 @@ import casadi as ca
 from model.machine import Machine
 from model.symbolic.function import EPSILON, Input, Output, Verdict, matrix_output
 from model.symbolic.linear import dot, factorise, norm, transpose
+from model.symbolic.rank import regular
 from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, total
 from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
 from model.symbolic.wrench_norm import weighed_rows
@@ -93,7 +94,8 @@ def facet(matrix: Matrix, edges: Matrix) -> Facet:
 class FacetSweep:
     """A sweep over the facets of a structure matrix, see Scheme.
 
-    The matrix is an argument; for a platform with moments the state holds it weighed.
+    The matrix is an argument; for a platform with moments the state holds it weighed. One that has
+    lost rank is refused: its set of wrenches is flat, and no facet says so.
     """
 
     machine: Machine
@@ -106,14 +108,15 @@ class FacetSweep:
     def named(self, name: str, summary: str, source: str) -> Sweep:
         """The sweep under a name."""
         matrix, prepared = self.structure.name, self.state
+        rows = weighed_rows(self.machine, self.structure.rows())
         if self.machine.is_rigid:
-            rows = weighed_rows(self.machine, self.structure.rows())
             matrix, prepared = WEIGHED, (matrix_output(WEIGHED, "1", rows), *prepared)
+        singular = regular(factorise(rows).pivots())
 
         def visit(subset: Subset, known: Ports) -> Mapping[str, Vector]:
             return self.visit(facet(known[matrix].rows(), subset.columns.rows()), subset, known)
 
         inputs = (self.structure, *self.others)
         size = self.machine.dof - 1
-        scheme = Scheme(inputs, matrix, size, prepared, visit, self.finish)
+        scheme = Scheme(inputs, matrix, size, prepared, visit, self.finish, (singular,))
         return make_sweep(name, summary, source, scheme)

@@ -27,6 +27,7 @@ from model.symbolic.function import (
 )
 from model.symbolic.linear import dot, factorise, transpose
 from model.symbolic.null_space import factored
+from model.symbolic.rank import least_pivot, regular
 from model.symbolic.rest import from_neighbours
 from model.symbolic.scalar import (
     Matrix,
@@ -44,9 +45,7 @@ from model.symbolic.tension import (
     QUICK_TOLERANCE,
     is_unrolled,
     least_norm_tension,
-    least_pivot,
     rank_lost,
-    regular,
     rounding,
     tolerated,
 )

@@ -64,7 +64,7 @@ class Scheme:
     `state` holds its entries before the first visit. `visit` is given a subset, arguments and state
     by name, and returns the entries that change; `finish` is given the same but for the subset, and
     returns results and verdicts. `matrix` names an argument or a state entry, and `size` says how
-    many of its columns are chosen.
+    many of its columns are chosen. `refusals` are faults that are known before the first subset.
     """
 
     inputs: tuple[Input, ...]
@@ -73,12 +73,18 @@ class Scheme:
     state: tuple[Output, ...]
     visit: Callable[[Subset, Ports], Mapping[str, Vector]]
     finish: Callable[[Ports], tuple[tuple[Output, ...], tuple[Verdict, ...]]]
+    refusals: tuple[Verdict, ...] = ()
 
 
 def make_sweep(name: str, summary: str, source: str, scheme: Scheme) -> Sweep:
     """The sweep over all subsets of one size."""
     begin = ModelFunction(
-        f"{name}_begin", "Before the first subset", source, scheme.inputs, scheme.state
+        f"{name}_begin",
+        "Before the first subset",
+        source,
+        scheme.inputs,
+        scheme.state,
+        scheme.refusals,
     )
     known = {port.name: port for port in (*scheme.inputs, *carried(scheme.state))}
     rows, columns = known[scheme.matrix].shape

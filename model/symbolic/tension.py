@@ -23,7 +23,6 @@ from model.symbolic.function import (
     Status,
     Verdict,
     carried,
-    not_all_above,
     scalar_output,
     vector_output,
 )
@@ -31,6 +30,7 @@ from model.symbolic.linear import factorise, multiply, transpose
 from model.symbolic.nearest_wrench import Nearest, Reach, nearest_loop
 from model.symbolic.null_space import NullSpace, crossed, factored
 from model.symbolic.polytope import UNBOUNDED, Slabs
+from model.symbolic.rank import regular
 from model.symbolic.scalar import (
     Matrix,
     Scalar,
@@ -59,11 +59,6 @@ OFF_BORDER = 32.0
 INWARDS = 2.0**-18
 #: A wrench missed by more than this part of T_max is not solved, however large the tensions.
 LARGEST_MISS = 1e-3
-#: The structure matrix has lost rank when a pivot of its factorisation is below this: cables within
-#: a millionth of a radian of one line hold nothing across it ...
-SMALLEST_PIVOT = 1e-6
-#: ... or below this many EPSILON, where a pivot is rounding.
-RANK_TOLERANCE = 4096.0
 #: The solver without a loop nests once more with every redundant cable; beyond this many a loop
 #: takes less code, and in more than two dimensions it closes fewer corners by rounding.
 UNROLLED_REDUNDANCY = 2
@@ -368,16 +363,6 @@ def solution_outputs(machine: Machine, solution: Solution) -> tuple[Output, ...]
 def rank_lost(space: NullSpace) -> Verdict:
     """The structure matrix does not span the wrenches."""
     return regular(space.pivots)
-
-
-def regular(pivots: Vector) -> Verdict:
-    """TB_SINGULAR where a pivot of the structure matrix is lost."""
-    return not_all_above(pivots, least_pivot(), "the cables are parallel")
-
-
-def least_pivot() -> Scalar:
-    """No larger, a pivot of the structure matrix counts as zero."""
-    return ca.fmax(SMALLEST_PIVOT, RANK_TOLERANCE * EPSILON)
 
 
 def is_unrolled(machine: Machine) -> bool:
