@@ -16,9 +16,9 @@ import casadi as ca
 
 from model.machine import Machine
 from model.symbolic.function import EPSILON, Input, Output, Verdict, matrix_output
-from model.symbolic.linear import dot, factorise, norm, transpose
+from model.symbolic.linear import add_scaled, dot, factorise, norm, transpose
 from model.symbolic.rank import regular
-from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, total
+from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, any_of, total, where
 from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
 from model.symbolic.wrench_norm import weighed_rows
 
@@ -73,6 +73,9 @@ def normal_of(edges: Matrix) -> tuple[Vector, Vector]:
         return [-edge[1] / length, edge[0] / length], [length]
     if len(edges) == 3:
         across = vector_product(*columns)
+        # of nearly parallel edges the product is not square to them: once more it is
+        edge = columns[0]
+        across = add_scaled(across, -dot(across, edge) / dot(edge, edge), edge)
         length = norm(across)
         return [x / length for x in across], [length]
     factors = factorise(columns)
@@ -84,10 +87,15 @@ def vector_product(a: Sequence[Scalar], b: Sequence[Scalar]) -> Vector:
     return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
 
 
-def facet(matrix: Matrix, edges: Matrix) -> Facet:
-    """The facets of a structure matrix (d x n) along d - 1 of its columns."""
-    normal, pivots = normal_of(edges)
-    return Facet(normal, [dot(normal, column) for column in transpose(matrix)], pivots)
+def facet(matrix: Matrix, subset: Subset) -> Facet:
+    """The facets of a structure matrix (d x n) along d - 1 of its columns, which it does not rise
+    above."""
+    normal, pivots = normal_of(subset.columns.rows())
+    heights = [
+        where(any_of([number == i for number in subset.numbers.scalars()]), 0, dot(normal, column))
+        for i, column in enumerate(transpose(matrix))
+    ]
+    return Facet(normal, heights, pivots)
 
 
 @dataclass(frozen=True)
@@ -114,7 +122,7 @@ class FacetSweep:
         singular = regular(factorise(rows).pivots())
 
         def visit(subset: Subset, known: Ports) -> Mapping[str, Vector]:
-            return self.visit(facet(known[matrix].rows(), subset.columns.rows()), subset, known)
+            return self.visit(facet(known[matrix].rows(), subset), subset, known)
 
         inputs = (self.structure, *self.others)
         size = self.machine.dof - 1
