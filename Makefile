@@ -39,10 +39,11 @@ $(SETUP):
 	touch $@
 
 generate: $(SETUP) ## write the C of every machine in machines/ to generated/
-	@for machine in $(MACHINES); do $(TURNBUCKLE) generate $$machine --out generated/$$(basename $$machine .toml); done
+	@printf '%s\n' $(basename $(notdir $(MACHINES))) | xargs -P 2 -I NAME \
+	  $(TURNBUCKLE) generate machines/NAME.toml --out generated/NAME
 
 verify: $(SETUP) ## check the generated C of every machine against the independent reference
-	@for machine in $(MACHINES); do $(TURNBUCKLE) verify $$machine; done
+	@printf '%s\n' $(MACHINES) | xargs -P 2 -n 1 $(TURNBUCKLE) verify
 
 # One library a machine and target; each is compiled again when any of its sources changed.
 TARGETS := double float cortex-m4f

@@ -20,10 +20,17 @@ from codegen.judges.problem import (
     Judge,
     Problem,
     Wide,
+    always,
     broadcast,
     statuses,
 )
-from codegen.judges.tensions import RANK_FACTOR, TENSION_ROUNDINGS, rank_limit, with_bounds
+from codegen.judges.tensions import (
+    RANK_FACTOR,
+    TENSION_ROUNDINGS,
+    nearly_parallel,
+    rank_limit,
+    with_bounds,
+)
 from model.machine import Machine
 from model.reference import brau
 from model.reference.arrays import norm
@@ -135,7 +142,9 @@ def kernel_tension(p: Problem) -> Expected:
     rounding = RANK_FACTOR * KKT_TOLERANCE * p.epsilon * np.maximum(largest, machine.tension.max)
     doubtful = singular[1] | (rounding > LARGEST_MISS * machine.tension.max * least)
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
-    return told(p, unsure, machine.tension.min, {Status.SINGULAR: singular})
+    gives_up = ~always(p.count), doubtful | nearly_parallel(p, p["structure"])
+    faults = {Status.SINGULAR: singular, Status.INACCURATE: gives_up}
+    return told(p, unsure, machine.tension.min, faults)
 
 
 def reduced_matrix_tension(p: Problem) -> Expected:

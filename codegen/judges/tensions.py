@@ -239,13 +239,14 @@ def distribution(policy: str) -> Judge:
         normal = {Status.OK: found.feasible, Status.INFEASIBLE: found.infeasible}
         # where S is nearly singular its own check may fail as well
         doubtful = singular[1] | too_near_singular(p, least, found)
+        if policy == "paper":
+            # no answer within rounding is told as no answer at all, or the loop for it gives up
+            doubtful = doubtful | nearly_parallel(p, p["structure"])
         faults = {
             Status.SINGULAR: singular,
             Status.INACCURATE: (np.zeros(p.count, dtype=bool), doubtful),
         }
         if policy == "paper":
-            # no answer within rounding is told as no answer at all
-            doubtful = doubtful | nearly_parallel(p, p["structure"])
             normal[Status.INFEASIBLE] = found.infeasible | doubtful
             normal[Status.OK] = found.feasible | doubtful
         allowed = statuses(p.count, normal, faults)

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine dae4b2f206071473, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine aa764ecba34ed47b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_comparison.h"
 
 tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], real_t
@@ -722,6 +722,28 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[8], const
         size[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
+    const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t3 = TB_SQRT(t2);
+    const real_t t4 = TB_COPYSIGN(t3, structure[0]);
+    const real_t t5 = (structure[0] + t4) * structure[4] + structure[1] * structure[5];
+    const real_t t6 = t5 + structure[2] * structure[6] + structure[3] * structure[7];
+    const real_t t7 = t6 * (TB_C(1.0) / (t3 * (t3 + TB_ABS(structure[0]))));
+    const real_t t8 = structure[5] - structure[1] * t7;
+    const real_t t9 = structure[6] - structure[2] * t7;
+    const real_t t10 = structure[7] - structure[3] * t7;
+    const real_t t11 = TB_COPYSIGN(TB_SQRT(t8 * t8 + t9 * t9 + t10 * t10), t8);
+    const bool t12 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t11));
+    if (t12) {
+        most[0] = TB_C(0.0);
+        most[1] = TB_C(0.0);
+        most[2] = TB_C(0.0);
+        most[3] = TB_C(0.0);
+        least[0] = TB_C(0.0);
+        size[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
     most[0] = TB_C(0.0);
     most[1] = TB_C(0.0);
     most[2] = TB_C(0.0);
@@ -735,25 +757,29 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[8], const
 static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1], const
     real_t structure[8], real_t most[4], real_t least[1])
 {
-    const real_t t0 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
-    const real_t t1 = TB_C(1.0) / t0;
-    const real_t t2 = chosen[0] * t1;
-    const real_t t3 = chosen[1] * t1;
-    const real_t t4 = numbers[0] == TB_C(0.0) ? TB_C(1e+30) : TB_ABS(t2 * structure[4] - t3 *
-        structure[0]);
-    const real_t most_0 = tb_max(most[0], TB_C(1.0) / t4);
-    const real_t t5 = numbers[0] == TB_C(1.0) ? TB_C(1e+30) : TB_ABS(t2 * structure[5] - t3 *
-        structure[1]);
-    const real_t most_1 = tb_max(most[1], TB_C(1.0) / t5);
-    const real_t t6 = numbers[0] == TB_C(2.0) ? TB_C(1e+30) : TB_ABS(t2 * structure[6] - t3 *
-        structure[2]);
-    const real_t most_2 = tb_max(most[2], TB_C(1.0) / t6);
-    const real_t t7 = numbers[0] == TB_C(3.0) ? TB_C(1e+30) : TB_ABS(t2 * structure[7] - t3 *
-        structure[3]);
-    const real_t most_3 = tb_max(most[3], TB_C(1.0) / t7);
-    const bool t8 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON) < t0;
-    const real_t t9 = t8 ? tb_min(tb_min(tb_min(t4, t5), t6), t7) : TB_C(0.0);
-    const real_t least_0 = tb_min(least[0], t9);
+    const bool t0 = numbers[0] == TB_C(0.0);
+    const real_t t1 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
+    const real_t t2 = TB_C(1.0) / t1;
+    const real_t t3 = chosen[0] * t2;
+    const real_t t4 = chosen[1] * t2;
+    const real_t t5 = t0 ? TB_C(0.0) : t3 * structure[4] - t4 * structure[0];
+    const real_t t6 = t0 ? TB_C(1e+30) : TB_ABS(t5);
+    const real_t most_0 = tb_max(most[0], TB_C(1.0) / t6);
+    const bool t7 = numbers[0] == TB_C(1.0);
+    const real_t t8 = t7 ? TB_C(0.0) : t3 * structure[5] - t4 * structure[1];
+    const real_t t9 = t7 ? TB_C(1e+30) : TB_ABS(t8);
+    const real_t most_1 = tb_max(most[1], TB_C(1.0) / t9);
+    const bool t10 = numbers[0] == TB_C(2.0);
+    const real_t t11 = t10 ? TB_C(0.0) : t3 * structure[6] - t4 * structure[2];
+    const real_t t12 = t10 ? TB_C(1e+30) : TB_ABS(t11);
+    const real_t most_2 = tb_max(most[2], TB_C(1.0) / t12);
+    const bool t13 = numbers[0] == TB_C(3.0);
+    const real_t t14 = t13 ? TB_C(0.0) : t3 * structure[7] - t4 * structure[3];
+    const real_t t15 = t13 ? TB_C(1e+30) : TB_ABS(t14);
+    const real_t most_3 = tb_max(most[3], TB_C(1.0) / t15);
+    const bool t16 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON) < t1;
+    const real_t t17 = t16 ? tb_min(tb_min(tb_min(t6, t9), t12), t15) : TB_C(0.0);
+    const real_t least_0 = tb_min(least[0], t17);
     most[0] = most_0;
     most[1] = most_1;
     most[2] = most_2;
@@ -829,14 +855,32 @@ static tb_status tb_largest_tension_begin(const real_t structure[8], const real_
         size[0] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
+    const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t3 = TB_SQRT(t2);
+    const real_t t4 = TB_COPYSIGN(t3, structure[0]);
+    const real_t t5 = (structure[0] + t4) * structure[4] + structure[1] * structure[5];
+    const real_t t6 = t5 + structure[2] * structure[6] + structure[3] * structure[7];
+    const real_t t7 = t6 * (TB_C(1.0) / (t3 * (t3 + TB_ABS(structure[0]))));
+    const real_t t8 = structure[5] - structure[1] * t7;
+    const real_t t9 = structure[6] - structure[2] * t7;
+    const real_t t10 = structure[7] - structure[3] * t7;
+    const real_t t11 = TB_COPYSIGN(TB_SQRT(t8 * t8 + t9 * t9 + t10 * t10), t8);
+    const bool t12 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t11));
+    if (t12) {
+        most[0] = TB_C(0.0);
+        size[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
     most[0] = TB_C(3.0);
     size[0] = force[0];
     return TB_OK;
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t structure[8], real_t
-    most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1], const
+    real_t structure[8], real_t most[1], const real_t size[1])
 {
     const real_t t0 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
     real_t most_0;
@@ -845,10 +889,14 @@ static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t s
         const real_t t2 = TB_C(1.0) / t0;
         const real_t t3 = chosen[0] * t2;
         const real_t t4 = chosen[1] * t2;
-        const real_t t5 = t3 * structure[4] - t4 * structure[0];
-        const real_t t6 = t3 * structure[5] - t4 * structure[1];
-        const real_t t7 = t3 * structure[6] - t4 * structure[2];
-        const real_t t8 = t3 * structure[7] - t4 * structure[3];
+        const real_t t5 = numbers[0] == TB_C(0.0) ? TB_C(0.0) : t3 * structure[4] - t4 *
+            structure[0];
+        const real_t t6 = numbers[0] == TB_C(1.0) ? TB_C(0.0) : t3 * structure[5] - t4 *
+            structure[1];
+        const real_t t7 = numbers[0] == TB_C(2.0) ? TB_C(0.0) : t3 * structure[6] - t4 *
+            structure[2];
+        const real_t t8 = numbers[0] == TB_C(3.0) ? TB_C(0.0) : t3 * structure[7] - t4 *
+            structure[3];
         const real_t t9 = TB_ABS(t5) + TB_ABS(t6) + TB_ABS(t7) + TB_ABS(t8);
         const real_t t10 = t8 + (t7 + (t5 + t6));
         const real_t t11 = (t9 + t10) * TB_C(0.5);
@@ -860,7 +908,7 @@ static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t s
         } else {
             t14 = t1 < t13 ? TB_C(1e+30) : TB_C(0.0);
         }
-        const real_t t15 = size[0] + t11 * TB_C(3.0);
+        const real_t t15 = size[0] + TB_C(3.0) * t11;
         real_t t16;
         if (t1 < t12) {
             t16 = t15 / t12;
@@ -898,13 +946,15 @@ tb_status tb_largest_tension(const real_t structure[8], const real_t force[1], r
     }
     for (int k = 0; k < 4; k++) {
         real_t chosen[2];
+        real_t numbers[1];
         for (int j = 0; j < 1; j++) {
             const int number = subsets[k][j];
             for (int i = 0; i < 2; i++) {
                 chosen[1 * i + j] = structure[4 * i + number];
             }
+            numbers[j] = (real_t)number;
         }
-        (void)tb_largest_tension_visit(chosen, structure, most, size);
+        (void)tb_largest_tension_visit(chosen, numbers, structure, most, size);
     }
     return tb_largest_tension_finish(most, tension);
 }

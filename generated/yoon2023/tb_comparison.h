@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine dae4b2f206071473, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine aa764ecba34ed47b, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -48,10 +48,11 @@ tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wren
  *  structure [-] (2 x 4), force [N] (scalar)  ->  tension [N] (4)
  *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
  *  Domain: force in [0, 10000] N, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables are parallel.
  *  TB_SINGULAR: d of the cables are dependent, and the bound has no limit.
  *  Error of tension: double at most 3.2e-03 N; float at most 1.1e+01 N.
  *  Visits 4 subsets of the cables.
- *  Cost, all branches and steps: 20 add, 57 mul, 20 div, 4 sqrt, 21 compare, 57 select. */
+ *  Cost, all branches and steps: 33 add, 74 mul, 21 div, 6 sqrt, 23 compare, 74 select. */
 tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force[1], real_t
     tension[4]);
 
@@ -60,10 +61,11 @@ tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force
  *  structure [-] (2 x 4), force [N] (scalar)  ->  tension [N] (scalar)
  *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
  *  Domain: force in [0, 10000] N, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: no tension is enough for every direction; 0.
- *  Error of tension: double at most 2.8e-03 N; float at most 2.0e+04 N.
+ *  Error of tension: double at most 8.6e-05 N; float at most 2.0e+04 N.
  *  Visits 4 subsets of the cables.
- *  Cost, all branches and steps: 60 add, 72 mul, 12 div, 4 sqrt, 21 compare, 29 select. */
+ *  Cost, all branches and steps: 73 add, 89 mul, 13 div, 6 sqrt, 39 compare, 46 select. */
 tb_status tb_largest_tension(const real_t structure[8], const real_t force[1], real_t
     tension[1]);
 

@@ -1,0 +1,111 @@
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+ * Machine a0938e93bdb477f0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#include "tb_control.h"
+
+tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
+{
+    if (!(TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3]) <=
+              TB_C(80000.0))) {
+        torque[0] = TB_C(0.0);
+        torque[1] = TB_C(0.0);
+        torque[2] = TB_C(0.0);
+        torque[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t torque_0 = TB_C(0.005) * tension[0];
+    const real_t torque_1 = TB_C(0.005) * tension[1];
+    const real_t torque_2 = TB_C(0.005) * tension[2];
+    const real_t torque_3 = TB_C(0.005) * tension[3];
+    torque[0] = torque_0;
+    torque[1] = torque_1;
+    torque[2] = torque_2;
+    torque[3] = torque_3;
+    return TB_OK;
+}
+
+tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t force[3])
+{
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) + TB_ABS(pose[2]) <= TB_C(6.0)
+          && TB_ABS(velocity[0]) + TB_ABS(velocity[1]) + TB_ABS(velocity[2]) <= TB_C(300.0))) {
+        force[0] = TB_C(0.0);
+        force[1] = TB_C(0.0);
+        force[2] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    force[0] = TB_C(0.0);
+    force[1] = TB_C(0.0);
+    force[2] = TB_C(0.0);
+    return TB_OK;
+}
+
+tb_status tb_load_tension(const real_t structure[12], const real_t tension[4], const real_t
+    hand_force[3], real_t load[4])
+{
+    if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
+              TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
+              TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
+              TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
+          && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
+              <= TB_C(80000.0)
+          && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) + TB_ABS(hand_force[2]) <=
+              TB_C(240000.0))) {
+        load[0] = TB_C(0.0);
+        load[1] = TB_C(0.0);
+        load[2] = TB_C(0.0);
+        load[3] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = structure[4] * structure[0] + structure[5] * structure[1];
+    const real_t t1 = t0 + structure[6] * structure[2] + structure[7] * structure[3];
+    const real_t t2 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t3 = t2 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t4 = TB_C(1.0) / t3;
+    const real_t t5 = t1 * t4;
+    const real_t t6 = tension[0] * structure[0] + structure[1] * tension[1];
+    const real_t t7 = t6 + structure[2] * tension[2] + structure[3] * tension[3];
+    const real_t t8 = hand_force[0] + t7;
+    const real_t t9 = tension[0] * structure[4] + structure[5] * tension[1];
+    const real_t t10 = t9 + structure[6] * tension[2] + structure[7] * tension[3];
+    const real_t t11 = t5 * t8 - (hand_force[1] + t10);
+    const real_t t12 = structure[4] * structure[4] + structure[5] * structure[5];
+    const real_t t13 = t12 + structure[6] * structure[6] + structure[7] * structure[7];
+    const real_t t14 = t13 - t3 * (t5 * t5);
+    const real_t t15 = TB_C(1.0) / t14;
+    const real_t t16 = structure[4] * structure[8] + structure[5] * structure[9];
+    const real_t t17 = t16 + structure[6] * structure[10] + structure[7] * structure[11];
+    const real_t t18 = structure[0] * structure[8] + structure[1] * structure[9];
+    const real_t t19 = t18 + structure[2] * structure[10] + structure[3] * structure[11];
+    const real_t t20 = t4 * t19;
+    const real_t t21 = t15 * (t17 - t3 * (t5 * t20));
+    const real_t t22 = tension[0] * structure[8] + tension[1] * structure[9];
+    const real_t t23 = t22 + tension[2] * structure[10] + tension[3] * structure[11];
+    const real_t t24 = structure[8] * structure[8] + structure[9] * structure[9];
+    const real_t t25 = t24 + structure[10] * structure[10] + structure[11] * structure[11];
+    const real_t t26 = t25 - t3 * (t20 * t20) - t14 * (t21 * t21);
+    const real_t t27 = (t8 * t20 - (hand_force[2] + t23) - t11 * t21) / t26;
+    const real_t t28 = t11 * t15 - t21 * t27;
+    const real_t t29 = t4 * t8 + t5 * t28 + t20 * t27;
+    const real_t t30 = structure[4] * t28 - structure[0] * t29 + structure[8] * t27;
+    const real_t load_0 = tension[0] + t30;
+    const real_t t31 = structure[5] * t28 - structure[1] * t29 + structure[9] * t27;
+    const real_t load_1 = tension[1] + t31;
+    const real_t t32 = structure[6] * t28 - structure[2] * t29 + structure[10] * t27;
+    const real_t load_2 = tension[2] + t32;
+    const real_t t33 = structure[7] * t28 - structure[3] * t29 + structure[11] * t27;
+    const real_t load_3 = tension[3] + t33;
+    const real_t t34 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const bool t35 = !(t34 < t3 && t34 < t14 && t34 < t26);
+    if (t35) {
+        load[0] = TB_C(0.0);
+        load[1] = TB_C(0.0);
+        load[2] = TB_C(0.0);
+        load[3] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    load[0] = load_0;
+    load[1] = load_1;
+    load[2] = load_2;
+    load[3] = load_3;
+    return TB_OK;
+}
+

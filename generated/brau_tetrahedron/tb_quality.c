@@ -1,0 +1,368 @@
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+ * Machine a0938e93bdb477f0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#include "tb_quality.h"
+#include "tb_kinematics.h"
+#include "tb_tension.h"
+
+/* Before the first subset. */
+static tb_status tb_balance_begin(const real_t structure[12], real_t margin[1])
+{
+    const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t3 = TB_SQRT(t2);
+    const real_t t4 = TB_COPYSIGN(t3, structure[0]);
+    const real_t t5 = structure[0] + t4;
+    const real_t t6 = t5 * structure[4] + structure[1] * structure[5] + structure[2] *
+        structure[6];
+    const real_t t7 = TB_C(1.0) / (t3 * (t3 + TB_ABS(structure[0])));
+    const real_t t8 = (t6 + structure[3] * structure[7]) * t7;
+    const real_t t9 = structure[5] - structure[1] * t8;
+    const real_t t10 = structure[6] - structure[2] * t8;
+    const real_t t11 = structure[7] - structure[3] * t8;
+    const real_t t12 = TB_SQRT(t9 * t9 + t10 * t10 + t11 * t11);
+    const real_t t13 = TB_COPYSIGN(t12, t9);
+    const real_t t14 = t5 * structure[8] + structure[1] * structure[9] + structure[2] *
+        structure[10];
+    const real_t t15 = t7 * (t14 + structure[3] * structure[11]);
+    const real_t t16 = structure[10] - structure[2] * t15;
+    const real_t t17 = (t9 + t13) * (structure[9] - structure[1] * t15) + t10 * t16;
+    const real_t t18 = structure[11] - structure[3] * t15;
+    const real_t t19 = (t17 + t11 * t18) / (t12 * (t12 + TB_ABS(t9)));
+    const real_t t20 = t16 - t10 * t19;
+    const real_t t21 = t18 - t11 * t19;
+    const real_t t22 = TB_ABS(TB_COPYSIGN(TB_SQRT(t20 * t20 + t21 * t21), t20));
+    const bool t23 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t13) && t0 < t22);
+    if (t23) {
+        margin[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    margin[0] = TB_C(1e+30);
+    return TB_OK;
+}
+
+/* One subset. */
+static tb_status tb_balance_visit(const real_t chosen[6], const real_t numbers[2], const real_t
+    structure[12], real_t margin[1])
+{
+    const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
+    const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
+    const real_t t2 = chosen[3] * chosen[0] - chosen[2] * chosen[1];
+    const real_t t3 = chosen[0] * chosen[0] + chosen[2] * chosen[2] + chosen[4] * chosen[4];
+    const real_t t4 = (t0 * chosen[0] + chosen[2] * t1 + chosen[4] * t2) / t3;
+    const real_t t5 = t0 - chosen[0] * t4;
+    const real_t t6 = t1 - chosen[2] * t4;
+    const real_t t7 = t2 - chosen[4] * t4;
+    const real_t t8 = TB_SQRT(t5 * t5 + t6 * t6 + t7 * t7);
+    real_t margin_0;
+    if (TB_C(16.0) * TB_EPSILON < t8) {
+        const bool t9 = (numbers[0] == TB_C(0.0)) || (TB_C(0.0) == numbers[1]);
+        const real_t t10 = TB_C(1.0) / t8;
+        const real_t t11 = t5 * t10;
+        const real_t t12 = t6 * t10;
+        const real_t t13 = t7 * t10;
+        const real_t t14 = t11 * structure[0] + t12 * structure[4] + t13 * structure[8];
+        const real_t t15 = t9 ? TB_C(0.0) : t14;
+        const bool t16 = (numbers[0] == TB_C(1.0)) || (numbers[1] == TB_C(1.0));
+        const real_t t17 = t11 * structure[1] + t12 * structure[5] + t13 * structure[9];
+        const real_t t18 = t16 ? TB_C(0.0) : t17;
+        const bool t19 = (numbers[0] == TB_C(2.0)) || (numbers[1] == TB_C(2.0));
+        const real_t t20 = t11 * structure[2] + t12 * structure[6] + t13 * structure[10];
+        const real_t t21 = t19 ? TB_C(0.0) : t20;
+        const bool t22 = (numbers[0] == TB_C(3.0)) || (numbers[1] == TB_C(3.0));
+        const real_t t23 = t11 * structure[3] + t12 * structure[7] + t13 * structure[11];
+        const real_t t24 = t22 ? TB_C(0.0) : t23;
+        const real_t t25 = TB_ABS(t15) + TB_ABS(t18) + TB_ABS(t21) + TB_ABS(t24);
+        const real_t t26 = TB_C(10.0) * t25 - TB_ABS(TB_C(10.0) * (t24 + (t21 + (t15 + t18))));
+        margin_0 = tb_min(margin[0], t26);
+    } else {
+        margin_0 = margin[0];
+    }
+    margin[0] = margin_0;
+    return TB_OK;
+}
+
+/* After the last subset. */
+static tb_status tb_balance_finish(const real_t margin[1], real_t balanced[1], real_t wrench[3])
+{
+    const bool t0 = TB_C(0.0) <= margin[0];
+    const real_t balanced_0 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t1 = !t0;
+    balanced[0] = balanced_0;
+    wrench[0] = TB_C(0.0);
+    wrench[1] = TB_C(0.0);
+    wrench[2] = TB_C(0.0);
+    return t1 ? TB_INFEASIBLE : TB_OK;
+}
+
+/* Whether the cables hold the platform at rest. */
+static tb_status tb_balance(const real_t structure[12], real_t balanced[1], real_t wrench[3])
+{
+    static const unsigned char subsets[6][2] = {{0,1}, {0,2}, {0,3}, {1,2}, {1,3}, {2,3}};
+    real_t margin[1];
+    const tb_status status = tb_balance_begin(structure, margin);
+    if (status != TB_OK) {
+        balanced[0] = TB_C(0.0);
+        wrench[0] = TB_C(0.0);
+        wrench[1] = TB_C(0.0);
+        wrench[2] = TB_C(0.0);
+        return status;
+    }
+    for (int k = 0; k < 6; k++) {
+        real_t chosen[6];
+        real_t numbers[2];
+        for (int j = 0; j < 2; j++) {
+            const int number = subsets[k][j];
+            for (int i = 0; i < 3; i++) {
+                chosen[2 * i + j] = structure[4 * i + number];
+            }
+            numbers[j] = (real_t)number;
+        }
+        (void)tb_balance_visit(chosen, numbers, structure, margin);
+    }
+    return tb_balance_finish(margin, balanced, wrench);
+}
+
+/* Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace. */
+static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[4], real_t tension[4])
+{
+    const bool t0 = TB_C(0.0) < balanced[0];
+    const real_t tension_0 = t0 ? rest[0] : TB_C(0.0);
+    const real_t tension_1 = t0 ? rest[1] : TB_C(0.0);
+    const real_t tension_2 = t0 ? rest[2] : TB_C(0.0);
+    const real_t tension_3 = t0 ? rest[3] : TB_C(0.0);
+    tension[0] = tension_0;
+    tension[1] = tension_1;
+    tension[2] = tension_2;
+    tension[3] = tension_3;
+    return TB_OK;
+}
+
+tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[1], real_t tension[4])
+{
+    real_t structure[12];
+    real_t balanced[1];
+    real_t wrench[3];
+    real_t rest[4] = {TB_C(0.0)};
+    real_t exerted[3] = {TB_C(0.0)};
+    real_t residual[1] = {TB_C(0.0)};
+    bool infeasible = false;
+    tb_status status;
+    status = tb_structure_matrix(pose, rails, structure);
+    if (status > TB_INFEASIBLE) {
+        tension[0] = TB_C(0.0);
+        tension[1] = TB_C(0.0);
+        tension[2] = TB_C(0.0);
+        tension[3] = TB_C(0.0);
+        return status;
+    }
+    status = tb_balance(structure, balanced, wrench);
+    if (status > TB_INFEASIBLE) {
+        tension[0] = TB_C(0.0);
+        tension[1] = TB_C(0.0);
+        tension[2] = TB_C(0.0);
+        tension[3] = TB_C(0.0);
+        return status;
+    }
+    infeasible = infeasible || status == TB_INFEASIBLE;
+    if (balanced[0] > TB_C(0.0)) {
+        status = tb_least_norm_tension(structure, wrench, rest, exerted, residual);
+        if (status > TB_INFEASIBLE) {
+            tension[0] = TB_C(0.0);
+            tension[1] = TB_C(0.0);
+            tension[2] = TB_C(0.0);
+            tension[3] = TB_C(0.0);
+            return status;
+        }
+    }
+    status = tb_tension_at_rest(balanced, rest, tension);
+    return status == TB_OK && infeasible ? TB_INFEASIBLE : status;
+}
+
+/* Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace. */
+static tb_status tb_factor_at_rest(const real_t balanced[1], const real_t rest[4], real_t factor[1])
+{
+    const bool t0 = TB_C(0.0) < balanced[0];
+    real_t factor_0, t1;
+    if (t0) {
+        const real_t t2 = tb_min(tb_min(tb_min(rest[0], rest[1]), rest[2]), rest[3]);
+        const real_t t3 = tb_max(tb_max(tb_max(rest[0], rest[1]), rest[2]), rest[3]);
+        factor_0 = t2 / t3;
+        t1 = t3;
+    } else {
+        factor_0 = TB_C(0.0);
+        t1 = TB_C(1.0);
+    }
+    const bool t4 = !(TB_C(0.0) < t1);
+    if (t4) {
+        factor[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    factor[0] = factor_0;
+    return TB_OK;
+}
+
+tb_status tb_tension_factor(const real_t pose[3], const real_t rails[1], real_t factor[1])
+{
+    real_t structure[12];
+    real_t balanced[1];
+    real_t wrench[3];
+    real_t rest[4] = {TB_C(0.0)};
+    real_t exerted[3] = {TB_C(0.0)};
+    real_t residual[1] = {TB_C(0.0)};
+    bool infeasible = false;
+    tb_status status;
+    status = tb_structure_matrix(pose, rails, structure);
+    if (status > TB_INFEASIBLE) {
+        factor[0] = TB_C(0.0);
+        return status;
+    }
+    status = tb_balance(structure, balanced, wrench);
+    if (status > TB_INFEASIBLE) {
+        factor[0] = TB_C(0.0);
+        return status;
+    }
+    infeasible = infeasible || status == TB_INFEASIBLE;
+    if (balanced[0] > TB_C(0.0)) {
+        status = tb_least_norm_tension(structure, wrench, rest, exerted, residual);
+        if (status > TB_INFEASIBLE) {
+            factor[0] = TB_C(0.0);
+            return status;
+        }
+    }
+    status = tb_factor_at_rest(balanced, rest, factor);
+    return status == TB_OK && infeasible ? TB_INFEASIBLE : status;
+}
+
+/* Before the first subset. */
+static tb_status tb_isotropic_begin(const real_t structure[12], real_t margin[1], real_t radius[1])
+{
+    const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
+    const real_t t3 = TB_SQRT(t2);
+    const real_t t4 = TB_COPYSIGN(t3, structure[0]);
+    const real_t t5 = structure[0] + t4;
+    const real_t t6 = t5 * structure[4] + structure[1] * structure[5] + structure[2] *
+        structure[6];
+    const real_t t7 = TB_C(1.0) / (t3 * (t3 + TB_ABS(structure[0])));
+    const real_t t8 = (t6 + structure[3] * structure[7]) * t7;
+    const real_t t9 = structure[5] - structure[1] * t8;
+    const real_t t10 = structure[6] - structure[2] * t8;
+    const real_t t11 = structure[7] - structure[3] * t8;
+    const real_t t12 = TB_SQRT(t9 * t9 + t10 * t10 + t11 * t11);
+    const real_t t13 = TB_COPYSIGN(t12, t9);
+    const real_t t14 = t5 * structure[8] + structure[1] * structure[9] + structure[2] *
+        structure[10];
+    const real_t t15 = t7 * (t14 + structure[3] * structure[11]);
+    const real_t t16 = structure[10] - structure[2] * t15;
+    const real_t t17 = (t9 + t13) * (structure[9] - structure[1] * t15) + t10 * t16;
+    const real_t t18 = structure[11] - structure[3] * t15;
+    const real_t t19 = (t17 + t11 * t18) / (t12 * (t12 + TB_ABS(t9)));
+    const real_t t20 = t16 - t10 * t19;
+    const real_t t21 = t18 - t11 * t19;
+    const real_t t22 = TB_ABS(TB_COPYSIGN(TB_SQRT(t20 * t20 + t21 * t21), t20));
+    const bool t23 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t13) && t0 < t22);
+    if (t23) {
+        margin[0] = TB_C(0.0);
+        radius[0] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    margin[0] = TB_C(1e+30);
+    radius[0] = TB_C(1e+30);
+    return TB_OK;
+}
+
+/* One subset. */
+static tb_status tb_isotropic_visit(const real_t chosen[6], const real_t numbers[2], const real_t
+    structure[12], real_t margin[1], real_t radius[1])
+{
+    const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
+    const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
+    const real_t t2 = chosen[3] * chosen[0] - chosen[2] * chosen[1];
+    const real_t t3 = chosen[0] * chosen[0] + chosen[2] * chosen[2] + chosen[4] * chosen[4];
+    const real_t t4 = (t0 * chosen[0] + chosen[2] * t1 + chosen[4] * t2) / t3;
+    const real_t t5 = t0 - chosen[0] * t4;
+    const real_t t6 = t1 - chosen[2] * t4;
+    const real_t t7 = t2 - chosen[4] * t4;
+    const real_t t8 = TB_SQRT(t5 * t5 + t6 * t6 + t7 * t7);
+    const bool t9 = TB_C(16.0) * TB_EPSILON < t8;
+    real_t margin_0, radius_0;
+    if (t9) {
+        const bool t10 = (numbers[0] == TB_C(0.0)) || (TB_C(0.0) == numbers[1]);
+        const real_t t11 = TB_C(1.0) / t8;
+        const real_t t12 = t5 * t11;
+        const real_t t13 = t6 * t11;
+        const real_t t14 = t7 * t11;
+        const real_t t15 = t12 * structure[0] + t13 * structure[4] + t14 * structure[8];
+        const real_t t16 = t10 ? TB_C(0.0) : t15;
+        const bool t17 = (numbers[0] == TB_C(1.0)) || (numbers[1] == TB_C(1.0));
+        const real_t t18 = t12 * structure[1] + t13 * structure[5] + t14 * structure[9];
+        const real_t t19 = t17 ? TB_C(0.0) : t18;
+        const bool t20 = (numbers[0] == TB_C(2.0)) || (numbers[1] == TB_C(2.0));
+        const real_t t21 = t12 * structure[2] + t13 * structure[6] + t14 * structure[10];
+        const real_t t22 = t20 ? TB_C(0.0) : t21;
+        const bool t23 = (numbers[0] == TB_C(3.0)) || (numbers[1] == TB_C(3.0));
+        const real_t t24 = t12 * structure[3] + t13 * structure[7] + t14 * structure[11];
+        const real_t t25 = t23 ? TB_C(0.0) : t24;
+        const real_t t26 = TB_ABS(t16) + TB_ABS(t19) + TB_ABS(t22) + TB_ABS(t25);
+        const real_t t27 = TB_C(10.0) * t26 - TB_ABS(TB_C(10.0) * (t25 + (t22 + (t16 + t19))));
+        margin_0 = tb_min(margin[0], t27);
+        radius_0 = tb_min(radius[0], t27);
+    } else {
+        margin_0 = margin[0];
+        radius_0 = radius[0];
+    }
+    margin[0] = margin_0;
+    radius[0] = radius_0;
+    return TB_OK;
+}
+
+/* After the last subset. */
+static tb_status tb_isotropic_finish(const real_t margin[1], const real_t radius[1], real_t force[1])
+{
+    const bool t0 = TB_C(0.0) <= margin[0];
+    const real_t force_0 = t0 ? tb_max(radius[0], TB_C(0.0)) : TB_C(0.0);
+    const bool t1 = !t0;
+    force[0] = force_0;
+    return t1 ? TB_INFEASIBLE : TB_OK;
+}
+
+/* Isotropic force of a structure matrix. */
+static tb_status tb_isotropic(const real_t structure[12], real_t force[1])
+{
+    static const unsigned char subsets[6][2] = {{0,1}, {0,2}, {0,3}, {1,2}, {1,3}, {2,3}};
+    real_t margin[1];
+    real_t radius[1];
+    const tb_status status = tb_isotropic_begin(structure, margin, radius);
+    if (status != TB_OK) {
+        force[0] = TB_C(0.0);
+        return status;
+    }
+    for (int k = 0; k < 6; k++) {
+        real_t chosen[6];
+        real_t numbers[2];
+        for (int j = 0; j < 2; j++) {
+            const int number = subsets[k][j];
+            for (int i = 0; i < 3; i++) {
+                chosen[2 * i + j] = structure[4 * i + number];
+            }
+            numbers[j] = (real_t)number;
+        }
+        (void)tb_isotropic_visit(chosen, numbers, structure, margin, radius);
+    }
+    return tb_isotropic_finish(margin, radius, force);
+}
+
+tb_status tb_isotropic_force(const real_t pose[3], const real_t rails[1], real_t force[1])
+{
+    real_t structure[12];
+    tb_status status;
+    status = tb_structure_matrix(pose, rails, structure);
+    if (status > TB_INFEASIBLE) {
+        force[0] = TB_C(0.0);
+        return status;
+    }
+    return tb_isotropic(structure, force);
+}
+

@@ -1,0 +1,76 @@
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+ * Machine 3a7ac29736181902, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#include "tb_control.h"
+
+tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
+{
+    if (!(TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) <= TB_C(60000.0))) {
+        torque[0] = TB_C(0.0);
+        torque[1] = TB_C(0.0);
+        torque[2] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t torque_0 = TB_C(0.005) * tension[0];
+    const real_t torque_1 = TB_C(0.005) * tension[1];
+    const real_t torque_2 = TB_C(0.005) * tension[2];
+    torque[0] = torque_0;
+    torque[1] = torque_1;
+    torque[2] = torque_2;
+    return TB_OK;
+}
+
+tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t force[2])
+{
+    if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0)
+          && TB_ABS(velocity[0]) + TB_ABS(velocity[1]) <= TB_C(200.0))) {
+        force[0] = TB_C(0.0);
+        force[1] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    force[0] = TB_C(0.0);
+    force[1] = TB_C(0.0);
+    return TB_OK;
+}
+
+tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], const real_t
+    hand_force[2], real_t load[3])
+{
+    if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
+              TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
+          && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) <= TB_C(60000.0)
+          && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) <= TB_C(120000.0))) {
+        load[0] = TB_C(0.0);
+        load[1] = TB_C(0.0);
+        load[2] = TB_C(0.0);
+        return TB_OUT_OF_DOMAIN;
+    }
+    const real_t t0 = structure[3] * structure[0] + structure[4] * structure[1];
+    const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
+    const real_t t2 = t1 + structure[2] * structure[2];
+    const real_t t3 = TB_C(1.0) / t2;
+    const real_t t4 = (t0 + structure[5] * structure[2]) * t3;
+    const real_t t5 = tension[0] * structure[0] + structure[1] * tension[1];
+    const real_t t6 = hand_force[0] + (t5 + structure[2] * tension[2]);
+    const real_t t7 = tension[0] * structure[3] + structure[4] * tension[1];
+    const real_t t8 = t4 * t6 - (hand_force[1] + (t7 + structure[5] * tension[2]));
+    const real_t t9 = structure[3] * structure[3] + structure[4] * structure[4];
+    const real_t t10 = t9 + structure[5] * structure[5] - t2 * (t4 * t4);
+    const real_t t11 = t8 / t10;
+    const real_t t12 = t3 * t6 + t4 * t11;
+    const real_t load_0 = tension[0] + (structure[3] * t11 - structure[0] * t12);
+    const real_t load_1 = tension[1] + (structure[4] * t11 - structure[1] * t12);
+    const real_t load_2 = tension[2] + (structure[5] * t11 - structure[2] * t12);
+    const real_t t13 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
+    const bool t14 = !(t13 < t2 && t13 < t10);
+    if (t14) {
+        load[0] = TB_C(0.0);
+        load[1] = TB_C(0.0);
+        load[2] = TB_C(0.0);
+        return TB_SINGULAR;
+    }
+    load[0] = load_0;
+    load[1] = load_1;
+    load[2] = load_2;
+    return TB_OK;
+}
+

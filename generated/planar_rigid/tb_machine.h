@@ -1,0 +1,37 @@
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+ * Machine 05963bd3cad2bbf6, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#ifndef TB_MACHINE_H
+#define TB_MACHINE_H
+
+#include "tb_types.h"
+
+#define TB_MACHINE_NAME "planar_rigid"
+#define TB_MACHINE_HASH "05963bd3cad2bbf6"
+
+#define TB_DOF 3 /* degrees of freedom of the platform */
+#define TB_CABLES 6
+#define TB_RAILS 6 /* movable bases */
+#define TB_RAIL_SLOTS 6 /* entries of an array of rails */
+#define TB_WALLS 0 /* virtual walls */
+
+#define TB_START_POSE {TB_C(0.3559), TB_C(0.2309), TB_C(0.0)} /* the target's centre, upright: the first guess of the pose */
+
+#define TB_SPACE 2 /* entries of a pose that are a position */
+#define TB_LONGEST_ARM TB_C(0.055) /* m, from the platform's centre to its farthest anchor */
+
+#define TB_PERIOD TB_C(0.001) /* s, one control cycle */
+#define TB_VELOCITY_GAIN TB_C(0.4665119089088967) /* low-pass of the measured rates */
+
+#define TB_TENSION_MIN TB_C(3.0) /* N */
+#define TB_TENSION_MAX TB_C(10.0) /* N */
+#define TB_DRUM_RADIUS TB_C(0.005) /* m */
+#define TB_TORQUE_LIMIT TB_C(0.055) /* N m, most that a cable motor is asked for */
+#define TB_TORQUE_STEP TB_C(0.02) /* N m, largest change of a torque in one cycle */
+
+#define TB_PINION_RADIUS TB_C(0.015) /* m */
+#define TB_RAIL_FORCE_LIMIT TB_C(60.0) /* N */
+
+#define TB_HAS_OBSERVER 0
+#define TB_HAND_FORCE_MEASURED 0
+
+#endif

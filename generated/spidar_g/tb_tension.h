@@ -1,0 +1,131 @@
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+ * Machine 9984ed1e71fec79a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#ifndef TB_TENSION_H
+#define TB_TENSION_H
+
+/* Tension distribution of spidar_g. Results are written last, so an array may be argument and result at once. */
+
+#include "tb_types.h"
+
+/** Tensions of least norm within their bounds that exert a wrench  (Yoon eq. 12, by active
+ *    sets: Goldfarb, Idnani 1983).
+ *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  tension [N] (8), delivered [N] (6),
+ *    kkt_residual [N] (scalar)
+ *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
+ *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables pull in fewer than 6 directions.
+ *  TB_INACCURATE: not done after 40 steps.
+ *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
+ *    missed.
+ *  Error of tension: double at most 2.5e-13 N; float at most 8.6e-05 N.
+ *  Error of delivered: double at most 2.8e-14 N; float at most 1.5e-05 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.5e-05 N.
+ *  At most 40 steps.
+ *  Cost, all branches and steps: 19550 add, 23063 mul, 858 div, 252 sqrt, 3711 compare, 20114
+ *    select. */
+tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[6], real_t
+    tension[8], real_t delivered[6], real_t kkt_residual[1]);
+
+/** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
+ *    eq. 22, 23).
+ *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  tension [N] (8), delivered [N] (6),
+ *    kkt_residual [N] (scalar)
+ *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
+ *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables pull in fewer than 6 directions.
+ *  TB_INACCURATE: not done after 40 steps.
+ *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
+ *  TB_INFEASIBLE: eq. 23 clipped a tension.
+ *  Error of tension: double at most 2.7e-12 N; float at most 1.2e-03 N.
+ *  Error of delivered: double at most 2.4e-12 N; float at most 1.1e-03 N.
+ *  Error of kkt_residual: double at most 1.6e-10 N; float at most 1.8e-02 N.
+ *  At most 40 steps.
+ *  Cost, all branches and steps: 19817 add, 23129 mul, 858 div, 252 sqrt, 3719 compare, 20137
+ *    select. */
+tb_status tb_distribute_tension_paper(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
+
+/** The wrench that is served: an infeasible one is replaced by the nearest feasible one  (point
+ *    of least norm of {S T - W}: Wolfe 1976).
+ *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  served [N] (6), inner [N] (6)
+ *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
+ *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
+ *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: a feasible wrench is nearer than the one found.
+ *  TB_INFEASIBLE: no admissible tension exerts it.
+ *  Error of served: double at most 6.2e-14 N; float at most 1.2e-02 N.
+ *  Error of inner: double at most 6.1e-14 N; float at most 1.2e-02 N.
+ *  At most 140 steps.
+ *  Cost, all branches and steps: 123658 add, 107110 mul, 9958 compare, 114402 select, 2940 div,
+ *    1121 sqrt. */
+tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wrench[6], real_t
+    served[6], real_t inner[6]);
+
+/** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
+ *    largest feasible fraction  (facets of the zonotope {S T}).
+ *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  served [N] (6), inner [N] (6)
+ *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
+ *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables pull in fewer than 6 directions.
+ *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: a feasible wrench is nearer than the one found.
+ *  TB_INFEASIBLE: no admissible tension exerts it.
+ *  Error of served: double at most 1.4e-13 N; float at most 2.9e-04 N.
+ *  Error of inner: double at most 1.4e-13 N; float at most 2.9e-04 N.
+ *  At most 140 steps.
+ *  Visits 56 subsets of the cables.
+ *  Cost, all branches and steps: 134907 add, 119945 mul, 3281 div, 1407 sqrt, 12656 compare,
+ *    115593 select. */
+tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench[6], real_t
+    served[6], real_t inner[6]);
+
+/** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
+ *    scaled down to the largest feasible fraction  (Yoon eq. 12).
+ *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  tension [N] (8), delivered [N] (6),
+ *    kkt_residual [N] (scalar)
+ *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
+ *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables pull in fewer than 6 directions.
+ *  TB_INACCURATE: not done after 40 steps.
+ *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
+ *    missed.
+ *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: a feasible wrench is nearer than the one found.
+ *  TB_INFEASIBLE: no admissible tension exerts it.
+ *  Error of tension: double at most 4.2e-11 N; float at most 7.2e-02 N.
+ *  Error of delivered: double at most 1.3e-13 N; float at most 4.5e-05 N.
+ *  Error of kkt_residual: double at most 2.1e-14 N; float at most 3.9e-05 N.
+ *  At most 260 steps.
+ *  Visits 56 subsets of the cables.
+ *  Cost, all branches and steps: 193557 add, 189134 mul, 5855 div, 2163 sqrt, 23789 compare,
+ *    175935 select. */
+tb_status tb_distribute_tension_scale(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
+
+/** Tensions of least norm within their bounds; an infeasible wrench is replaced by the nearest
+ *    feasible one  (Yoon eq. 12).
+ *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  tension [N] (8), delivered [N] (6),
+ *    kkt_residual [N] (scalar)
+ *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
+ *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables pull in fewer than 6 directions.
+ *  TB_INACCURATE: not done after 40 steps.
+ *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
+ *    missed.
+ *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: a feasible wrench is nearer than the one found.
+ *  TB_INFEASIBLE: no admissible tension exerts it.
+ *  Error of tension: double at most 2.5e-12 N; float at most 9.6e-01 N.
+ *  Error of delivered: double at most 1.0e-13 N; float at most 1.3e-02 N.
+ *  Error of kkt_residual: double at most 4.3e-14 N; float at most 1.5e-05 N.
+ *  At most 260 steps.
+ *  Cost, all branches and steps: 182308 add, 176299 mul, 5514 div, 1877 sqrt, 21091 compare,
+ *    174744 select. */
+tb_status tb_distribute_tension_closest(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
+
+/** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
+tb_status tb_distribute_tension(const real_t structure[48], const real_t wrench[6], real_t
+    tension[8], real_t delivered[6], real_t kkt_residual[1]);
+
+#endif

@@ -1,0 +1,40 @@
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+ * Machine 9fa8d67494865e5d, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#ifndef TB_CONTROL_H
+#define TB_CONTROL_H
+
+/* Control laws around the tension distribution of yoon_fixed_orthogonal. Results are written last, so an array may be argument and result at once. */
+
+#include "tb_types.h"
+
+/** Motor torque tau = r_p T  (Yoon section III-E).
+ *  tension [N] (4)  ->  torque [N m] (4)
+ *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
+ *  Error of torque: double at most 1.4e-17 N m (worst found 3.5e-18 at tension (3.086, 3,
+ *    9.644, 6.667)); float at most 1.2e-08 N m (worst found 3.0e-09 at tension (8.598, 5.455,
+ *    6.5, 10)).
+ *  Cost, all branches: 4 mul. */
+tb_status tb_motor_torques(const real_t tension[4], real_t torque[4]);
+
+/** Force of the virtual walls, max(0, k penetration - b v_n) along each normal  (Yoon eq. 26,
+ *    27, never attractive).
+ *  pose [m] (2), velocity [m/s] (2)  ->  force [N] (2)
+ *  Domain: pose with a sum of magnitudes of at most 2.024 m, else TB_OUT_OF_DOMAIN.
+ *  Domain: velocity with a sum of magnitudes of at most 200 m/s, else TB_OUT_OF_DOMAIN.
+ *  Error of force: double at most 0.0e+00 N; float at most 0.0e+00 N.
+ *  Cost, all branches: none. */
+tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t force[2]);
+
+/** Tensions nearest the commanded ones that balance the measured force of the hand  (the F_h
+ *    path of Yoon Fig. 11).
+ *  structure [-] (2 x 4), tension [N] (4), hand_force [N] (2)  ->  load [N] (4)
+ *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
+ *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
+ *  Domain: hand_force with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the cables are parallel.
+ *  Error of load: double at most 3.9e-14 N; float at most 2.6e-05 N.
+ *  Cost, all branches: 28 add, 35 mul, 2 div, 2 compare, 1 select. */
+tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
+    hand_force[2], real_t load[4]);
+
+#endif

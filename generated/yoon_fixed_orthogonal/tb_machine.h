@@ -1,0 +1,29 @@
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+ * Machine 9fa8d67494865e5d, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#ifndef TB_MACHINE_H
+#define TB_MACHINE_H
+
+#include "tb_types.h"
+
+#define TB_MACHINE_NAME "yoon_fixed_orthogonal"
+#define TB_MACHINE_HASH "9fa8d67494865e5d"
+
+#define TB_DOF 2 /* degrees of freedom of the platform */
+#define TB_CABLES 4
+#define TB_RAILS 0 /* movable bases */
+#define TB_RAIL_SLOTS 1 /* entries of an array of rails */
+#define TB_WALLS 0 /* virtual walls */
+
+#define TB_PERIOD TB_C(0.001) /* s, one control cycle */
+#define TB_VELOCITY_GAIN TB_C(0.4665119089088967) /* low-pass of the measured rates */
+
+#define TB_TENSION_MIN TB_C(3.0) /* N */
+#define TB_TENSION_MAX TB_C(10.0) /* N */
+#define TB_DRUM_RADIUS TB_C(0.005) /* m */
+#define TB_TORQUE_LIMIT TB_C(0.055) /* N m, most that a cable motor is asked for */
+#define TB_TORQUE_STEP TB_C(0.02) /* N m, largest change of a torque in one cycle */
+
+#define TB_HAS_OBSERVER 0
+#define TB_HAND_FORCE_MEASURED 0
+
+#endif

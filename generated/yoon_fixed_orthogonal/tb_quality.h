@@ -1,0 +1,79 @@
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+ * Machine 9fa8d67494865e5d, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#ifndef TB_QUALITY_H
+#define TB_QUALITY_H
+
+/* Tension factor and isotropic force of a pose of yoon_fixed_orthogonal. Results are written last, so an array may be argument and result at once. */
+
+#include "tb_types.h"
+
+/** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
+ *    eq. 12 with W = 0).
+ *  pose [m] (2), rails [m] (0)  ->  tension [N] (4)
+ *  Domain: pose with a sum of magnitudes of at most 2.024 m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_SINGULAR: the cables are parallel.
+ *  TB_INACCURATE: the optimality conditions are missed by more than rounding.
+ *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
+ *  Error of tension: double at most 6.7e-14 N (worst found 1.7e-14 at pose (0.2951, 0.0552));
+ *    float at most 3.4e-03 N (worst found 8.4e-04 at pose (0.2529, 0.0001329)).
+ *  Cost, all branches: 133 add, 180 mul, 17 div, 6 sqrt, 41 compare, 116 select. */
+tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], real_t tension[4]);
+
+/** Tension factor TF = min(T0) / max(T0); 0 outside the zero-wrench workspace  (Yoon eq. 13).
+ *  pose [m] (2), rails [m] (0)  ->  factor [-] (scalar)
+ *  Domain: pose with a sum of magnitudes of at most 2.024 m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_SINGULAR: the cables are parallel.
+ *  TB_SINGULAR: T_min is 0, and so is every zero-wrench tension.
+ *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
+ *  Error of factor: double at most 8.7e-15 (worst found 2.2e-15 at pose (0.2512, 0.142)); float
+ *    at most 9.9e-05 (worst found 2.5e-05 at pose (0.5059, 0.142)).
+ *  Cost, all branches: 109 add, 152 mul, 18 div, 6 sqrt, 18 compare, 82 select. */
+tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t factor[1]);
+
+/** Isotropic force I_F: the largest force in every direction; 0 outside the workspace  (Yoon
+ *    section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it).
+ *  pose [m] (2), rails [m] (0)  ->  force [N] (scalar)
+ *  Domain: pose with a sum of magnitudes of at most 2.024 m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
+ *  Error of force: double at most 2.1e-14 N (worst found 5.2e-15 at pose (0.1691, 0.1203));
+ *    float at most 1.7e-03 N (worst found 4.3e-04 at pose (0.253, 0.2839)).
+ *  Cost, all branches: 36 add, 40 mul, 4 div, 4 sqrt, 5 compare, 4 select. */
+tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t force[1]);
+
+/** What a map shows of a pose: capacity margin, least distance of the zero wrench from a facet
+ *    of the feasible forces, negative outside; TF = min(T0) / max(T0), 0 outside and for T_min
+ *    = 0; I_F = max(0, margin). Every force up to F is feasible where margin >= F  (Yoon
+ *    section III-A, eq. 13; Guay et al. 2014).
+ *  pose [m] (2), rails [m] (0)  ->  margin [N] (scalar), factor [-] (scalar), force [N]
+ *    (scalar)
+ *  Domain: pose with a sum of magnitudes of at most 2.024 m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_SINGULAR: the cables are parallel.
+ *  TB_INACCURATE: the optimality conditions of T0 are missed by more than rounding.
+ *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
+ *  Error of margin: double at most 3.2e-14 N (worst found 7.9e-15 at pose (0.0008354, 0.1339));
+ *    float at most 2.8e-03 N (worst found 7.1e-04 at pose (0.2529, 0.2839)).
+ *  Error of factor: double at most 1.9e-15 (worst found 4.8e-16 at pose (0.2359, 0.1769));
+ *    float at most 1.4e-04 (worst found 3.6e-05 at pose (0.253, 0.2839)).
+ *  Error of force: double at most 1.7e-14 N (worst found 4.3e-15 at pose (0.2764, 0.1054));
+ *    float at most 2.5e-03 N (worst found 6.2e-04 at pose (0.253, 0.2839)).
+ *  Cost, all branches: 195 add, 257 mul, 23 div, 6 sqrt, 65 compare, 202 select. */
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
+    factor[1], real_t force[1]);
+
+/** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
+ *    17; a lower bound of the true isotropic force).
+ *  pose [m] (2), rails [m] (0)  ->  force [N] (scalar)
+ *  Domain: pose with a sum of magnitudes of at most 2.024 m, else TB_OUT_OF_DOMAIN.
+ *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
+ *  TB_SINGULAR: the cables are parallel.
+ *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
+ *  Error of force: double at most 3.0e-14 N (worst found 7.4e-15 at pose (0.2362, 0.142));
+ *    float at most 1.4e-03 N (worst found 3.5e-04 at pose (0.253, 0.0001225)).
+ *  Cost, all branches: 132 add, 176 mul, 17 div, 6 sqrt, 47 compare, 123 select. */
+tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);
+
+#endif
