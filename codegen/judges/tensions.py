@@ -109,6 +109,9 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
     if policy == "scale":
         # the ray meets the border of a flat set at a small angle
         served = served + 2 * infeasible * tolerated(machine, p.epsilon, structure)
+    if policy != "paper" and machine.dof > 2:
+        # the normal of a facet loses what the cables along it do; in the plane there is one
+        served = served + infeasible * ROUNDINGS * p.epsilon * size * gain
     own = relative * bounds.max * gain
     lost = np.zeros(p.count, dtype=bool)
     if policy != "paper":
@@ -327,6 +330,9 @@ def served_wrench(policy: str) -> Judge:
         # parallel cables are refused by the distribution before a wrench is served
         _, (_, singular) = rank(p, p["structure"])
         allowed |= singular[:, None]
+        if p.machine.dof > 2:
+            # the loop for the nearest wrench may give up where cables are nearly dependent
+            allowed[:, Status.INACCURATE] |= nearly_parallel(p, p["structure"])
         limits = p.machine.tension
         least = ROUNDINGS * p.epsilon * limits.max
         slack = found.delivered_slack + least * levers(p.machine)
