@@ -55,6 +55,9 @@ static void filter_rates(size_t count, const real_t measured[], const real_t pre
 /* After an interruption the kept rates stand until there is a previous measurement again. */
 static void find_rates(const tb_controller *controller, const tb_inputs *inputs, tb_rates *rates)
 {
+#if TB_RAILS == 0
+    rates->rails[0] = 0; /* the slot of an array that nobody fills or reads */
+#endif
     if (controller->interrupted != 0) {
         copy(TB_CABLES, controller->length_rates, rates->cables);
         copy(TB_RAILS, controller->rail_rates, rates->rails);
