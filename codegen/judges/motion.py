@@ -83,7 +83,11 @@ def base_points(p: Problem) -> Expected:
 
 
 def cable_vectors(p: Problem) -> Expected:
-    return everywhere(p, vectors=kinematics.cable_vectors(p.machine, p["pose"], p["rails"]))
+    """A pulley of some radius has a rim, inside of which there is no cable."""
+    vectors = kinematics.cable_vectors(p.machine, p["pose"], p["rails"])
+    if any(p.machine.pulleys):
+        return away_from_pulleys(p, True, vectors=vectors)
+    return everywhere(p, vectors=vectors)
 
 
 def cable_lengths(p: Problem) -> Expected:
@@ -161,7 +165,8 @@ def per_twist(p: Problem, slack: Wide) -> Wide:
 class Fixed:
     """Where the reference finds the platform from lengths, and how nearly the C can.
 
-    `slack` [m] is that of (c, lever rotation); `doubtful`: where a search may end elsewhere.
+    `slack` [m] is that of (c, lever rotation); `doubtful`: where a search may end elsewhere;
+    `gives_up`: where it may find nothing.
     """
 
     found: kinematics.ForwardKinematics
@@ -170,6 +175,7 @@ class Fixed:
     rows: Wide
     lost: tuple[Bools, Bools]
     doubtful: Bools
+    gives_up: Bools
 
 
 def fixed(p: Problem) -> Fixed:
@@ -200,7 +206,8 @@ def closed(p: Problem) -> Fixed:
     slack = np.minimum(closed_form, second_order + ROUNDINGS * p.epsilon * reach / pivot)
     nowhere = np.any(np.isnan(found.pose), axis=-1)
     lost = union(collinear, at_pulley, (nowhere, nowhere))
-    return Fixed(found, np.asarray(slack), nearest, rows, lost, ~always(p.count))
+    never = ~always(p.count)
+    return Fixed(found, np.asarray(slack), nearest, rows, lost, never, never)
 
 
 def searched(p: Problem) -> Fixed:
@@ -218,7 +225,18 @@ def searched(p: Problem) -> Fixed:
     far = nearest < 2 * off
     doubtful = (least < SEARCH_DOUBT) | far | ~np.isfinite(norm(found.pose))
     lost = union(touched, (np.zeros(p.count, bool), doubtful))
-    return Fixed(found, slack, np.maximum(nearest, CONTACT_DISTANCE / 2), rows, lost, doubtful)
+    gives_up = doubtful | outside_target(p, found.pose)
+    room = np.maximum(nearest, CONTACT_DISTANCE / 2)
+    return Fixed(found, slack, room, rows, lost, doubtful, gives_up)
+
+
+def outside_target(p: Problem, pose: Wide) -> Bools:
+    """Where the platform is beyond what the machine is made for (count)."""
+    target, space = p.machine.target, p.machine.space
+    off = np.abs(pose[:, :space] - np.asarray(target.centre))
+    away = np.any(off > np.asarray(target.size) / 2, axis=-1)
+    turned = norm(pose[:, space:]) > target.rotation
+    return np.asarray(away | turned)
 
 
 def fix_faults(
@@ -227,7 +245,7 @@ def fix_faults(
     """Faults of functions that find the platform."""
     faults = {Status.SINGULAR: lost}
     if needs_guess(p.machine):
-        faults[Status.INACCURATE] = (~always(p.count), at.doubtful)
+        faults[Status.INACCURATE] = (~always(p.count), at.gives_up)
     return faults
 
 

@@ -242,7 +242,7 @@ def distribution(policy: str) -> Judge:
         normal = {Status.OK: found.feasible, Status.INFEASIBLE: found.infeasible}
         # where S is nearly singular its own check may fail as well
         doubtful = singular[1] | too_near_singular(p, least, found)
-        if policy == "paper":
+        if policy == "paper" or p.machine.dof > 2:
             # no answer within rounding is told as no answer at all, or the loop for it gives up
             doubtful = doubtful | nearly_parallel(p, p["structure"])
         faults = {

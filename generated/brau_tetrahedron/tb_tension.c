@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine a0938e93bdb477f0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5f20c9c551710bdf, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */
@@ -1454,7 +1454,7 @@ tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wren
     real_t done[1] = {TB_C(0.0)};
     tb_status status = tb_served_wrench_closest_begin(structure, wrench, points, weight, used,
         offset);
-    for (int steps = 0; steps < 80 && status == TB_OK && !(done[0] > TB_C(0.0)); steps++) {
+    for (int steps = 0; steps < 160 && status == TB_OK && !(done[0] > TB_C(0.0)); steps++) {
         status = tb_served_wrench_closest_step(structure, wrench, points, weight, used, offset,
             done);
     }

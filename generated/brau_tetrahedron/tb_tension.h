@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine a0938e93bdb477f0, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 5f20c9c551710bdf, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -50,14 +50,14 @@ tb_status tb_distribute_tension_paper(const real_t structure[12], const real_t w
  *  structure [-] (3 x 4), wrench [N] (3)  ->  served [N] (3), inner [N] (3)
  *  Domain: structure with a sum of magnitudes of at most 48, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 240000 N, else TB_OUT_OF_DOMAIN.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of served: double at most 1.5e-13 N; float at most 5.5e-05 N.
- *  Error of inner: double at most 1.5e-13 N; float at most 5.5e-05 N.
- *  At most 80 steps.
- *  Cost, all branches and steps: 16166 add, 14551 mul, 3210 compare, 19387 select, 960 div, 401
- *    sqrt. */
+ *  Error of served: double at most 6.6e-14 N; float at most 2.9e-05 N.
+ *  Error of inner: double at most 6.5e-14 N; float at most 3.6e-05 N.
+ *  At most 160 steps.
+ *  Cost, all branches and steps: 32246 add, 29031 mul, 6410 compare, 38747 select, 1920 div,
+ *    801 sqrt. */
 tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wrench[3], real_t
     served[3], real_t inner[3]);
 
@@ -67,14 +67,14 @@ tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wren
  *  Domain: structure with a sum of magnitudes of at most 48, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 240000 N, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of served: double at most 1.9e-13 N; float at most 2.9e-04 N.
- *  Error of inner: double at most 1.9e-13 N; float at most 2.9e-04 N.
- *  At most 80 steps.
+ *  Error of served: double at most 9.5e-14 N; float at most 3.7e-05 N.
+ *  Error of inner: double at most 9.3e-14 N; float at most 4.3e-05 N.
+ *  At most 160 steps.
  *  Visits 6 subsets of the cables.
- *  Cost, all branches and steps: 16423 add, 14855 mul, 980 div, 410 sqrt, 3289 compare, 19498
+ *  Cost, all branches and steps: 32503 add, 29335 mul, 1940 div, 810 sqrt, 6489 compare, 38858
  *    select. */
 tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench[3], real_t
     served[3], real_t inner[3]);
@@ -89,15 +89,15 @@ tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench
  *  TB_INACCURATE: not done after 20 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 7.2e-11 N; float at most 4.3e-02 N.
- *  Error of delivered: double at most 2.5e-13 N; float at most 9.2e-05 N.
- *  Error of kkt_residual: double at most 3.2e-14 N; float at most 1.5e-05 N.
- *  At most 140 steps.
+ *  Error of tension: double at most 5.0e-11 N; float at most 1.0e-01 N.
+ *  Error of delivered: double at most 7.5e-14 N; float at most 4.6e-05 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 4.3e-05 N.
+ *  At most 220 steps.
  *  Visits 6 subsets of the cables.
- *  Cost, all branches and steps: 22864 add, 22595 mul, 1667 div, 608 sqrt, 5965 compare, 28681
+ *  Cost, all branches and steps: 38944 add, 37075 mul, 2627 div, 1008 sqrt, 9165 compare, 48041
  *    select. */
 tb_status tb_distribute_tension_scale(const real_t structure[12], const real_t wrench[3],
     real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);
@@ -112,14 +112,14 @@ tb_status tb_distribute_tension_scale(const real_t structure[12], const real_t w
  *  TB_INACCURATE: not done after 20 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 1.9e-10 N; float at most 3.9e-02 N.
- *  Error of delivered: double at most 8.2e-14 N; float at most 8.6e-05 N.
- *  Error of kkt_residual: double at most 2.8e-14 N; float at most 9.2e-05 N.
- *  At most 140 steps.
- *  Cost, all branches and steps: 22607 add, 22291 mul, 1647 div, 599 sqrt, 5886 compare, 28570
+ *  Error of tension: double at most 7.0e-11 N; float at most 1.4e-02 N.
+ *  Error of delivered: double at most 8.4e-14 N; float at most 3.5e-05 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.5e-05 N.
+ *  At most 220 steps.
+ *  Cost, all branches and steps: 38687 add, 36771 mul, 2607 div, 999 sqrt, 9086 compare, 47930
  *    select. */
 tb_status tb_distribute_tension_closest(const real_t structure[12], const real_t wrench[3],
     real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 05963bd3cad2bbf6, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine d300ea6b72e9566a, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -50,14 +50,14 @@ tb_status tb_distribute_tension_paper(const real_t structure[18], const real_t w
  *  structure [1, m] (3 x 6), wrench [N, N m] (3)  ->  served [N] (3), inner [N] (3)
  *  Domain: structure with a sum of magnitudes of at most 72 1, m, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 180000 N, N m, else TB_OUT_OF_DOMAIN.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of served: double at most 3.7e-13 N; float at most 1.8e-04 N.
- *  Error of inner: double at most 3.7e-13 N; float at most 1.8e-04 N.
- *  At most 80 steps.
- *  Cost, all branches and steps: 16998 add, 16110 mul, 3374 compare, 18895 select, 960 div, 401
- *    sqrt. */
+ *  Error of served: double at most 1.5e-13 N; float at most 2.9e-05 N.
+ *  Error of inner: double at most 1.5e-13 N; float at most 3.4e-05 N.
+ *  At most 160 steps.
+ *  Cost, all branches and steps: 33878 add, 32110 mul, 6734 compare, 37775 select, 1920 div,
+ *    801 sqrt. */
 tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wrench[3], real_t
     served[3], real_t inner[3]);
 
@@ -67,14 +67,14 @@ tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wren
  *  Domain: structure with a sum of magnitudes of at most 72 1, m, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 180000 N, N m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of served: double at most 2.2e-13 N; float at most 6.8e-04 N.
- *  Error of inner: double at most 2.1e-13 N; float at most 6.8e-04 N.
- *  At most 80 steps.
+ *  Error of served: double at most 3.6e-13 N; float at most 8.3e-05 N.
+ *  Error of inner: double at most 3.5e-13 N; float at most 8.2e-05 N.
+ *  At most 160 steps.
  *  Visits 15 subsets of the cables.
- *  Cost, all branches and steps: 17714 add, 16917 mul, 1007 div, 419 sqrt, 3621 compare, 19189
+ *  Cost, all branches and steps: 34594 add, 32917 mul, 1967 div, 819 sqrt, 6981 compare, 38069
  *    select. */
 tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench[3], real_t
     served[3], real_t inner[3]);
@@ -89,16 +89,16 @@ tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench
  *  TB_INACCURATE: not done after 30 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 1.5e-10 N; float at most 8.0e-02 N.
- *  Error of delivered: double at most 7.3e-14 N; float at most 8.9e-05 N.
- *  Error of kkt_residual: double at most 4.3e-14 N; float at most 9.2e-05 N.
- *  At most 170 steps.
+ *  Error of tension: double at most 4.3e-10 N; float at most 2.8e-01 N.
+ *  Error of delivered: double at most 8.4e-14 N; float at most 2.1e-04 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 2.8e-04 N.
+ *  At most 250 steps.
  *  Visits 15 subsets of the cables.
- *  Cost, all branches and steps: 31538 add, 33414 mul, 2204 div, 707 sqrt, 9987 compare, 38674
- *    select. */
+ *  Cost, all branches and steps: 48418 add, 49414 mul, 3164 div, 1107 sqrt, 13347 compare,
+ *    57554 select. */
 tb_status tb_distribute_tension_scale(const real_t structure[18], const real_t wrench[3],
     real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
 
@@ -112,15 +112,15 @@ tb_status tb_distribute_tension_scale(const real_t structure[18], const real_t w
  *  TB_INACCURATE: not done after 30 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  TB_INACCURATE: not done after 80 steps.
+ *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 1.4e-10 N; float at most 8.0e-02 N.
- *  Error of delivered: double at most 1.7e-13 N; float at most 4.8e-05 N.
- *  Error of kkt_residual: double at most 1.9e-13 N; float at most 6.1e-05 N.
- *  At most 170 steps.
- *  Cost, all branches and steps: 30822 add, 32607 mul, 2157 div, 689 sqrt, 9740 compare, 38380
- *    select. */
+ *  Error of tension: double at most 8.6e-11 N; float at most 4.2e-02 N.
+ *  Error of delivered: double at most 1.4e-13 N; float at most 5.2e-05 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 5.1e-05 N.
+ *  At most 250 steps.
+ *  Cost, all branches and steps: 47702 add, 48607 mul, 3117 div, 1089 sqrt, 13100 compare,
+ *    57260 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[18], const real_t wrench[3],
     real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 9984ed1e71fec79a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02222c8bc1c9d479, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */
@@ -4543,7 +4543,7 @@ tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wren
     real_t done[1] = {TB_C(0.0)};
     tb_status status = tb_served_wrench_closest_begin(structure, wrench, points, weight, used,
         offset);
-    for (int steps = 0; steps < 140 && status == TB_OK && !(done[0] > TB_C(0.0)); steps++) {
+    for (int steps = 0; steps < 280 && status == TB_OK && !(done[0] > TB_C(0.0)); steps++) {
         status = tb_served_wrench_closest_step(structure, wrench, points, weight, used, offset,
             done);
     }

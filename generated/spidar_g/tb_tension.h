@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 9984ed1e71fec79a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 02222c8bc1c9d479, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -50,14 +50,14 @@ tb_status tb_distribute_tension_paper(const real_t structure[48], const real_t w
  *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  served [N] (6), inner [N] (6)
  *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
- *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: not done after 280 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
  *  Error of served: double at most 6.2e-14 N; float at most 1.2e-02 N.
  *  Error of inner: double at most 6.1e-14 N; float at most 1.2e-02 N.
- *  At most 140 steps.
- *  Cost, all branches and steps: 123658 add, 107110 mul, 9958 compare, 114402 select, 2940 div,
- *    1121 sqrt. */
+ *  At most 280 steps.
+ *  Cost, all branches and steps: 246998 add, 213930 mul, 19898 compare, 228782 select, 5880
+ *    div, 2241 sqrt. */
 tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wrench[6], real_t
     served[6], real_t inner[6]);
 
@@ -67,15 +67,15 @@ tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wren
  *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
  *  Domain: wrench with a sum of magnitudes of at most 384000 N, N m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the cables pull in fewer than 6 directions.
- *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: not done after 280 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
  *  Error of served: double at most 1.4e-13 N; float at most 2.9e-04 N.
  *  Error of inner: double at most 1.4e-13 N; float at most 2.9e-04 N.
- *  At most 140 steps.
+ *  At most 280 steps.
  *  Visits 56 subsets of the cables.
- *  Cost, all branches and steps: 134907 add, 119945 mul, 3281 div, 1407 sqrt, 12656 compare,
- *    115593 select. */
+ *  Cost, all branches and steps: 258247 add, 226765 mul, 6221 div, 2527 sqrt, 22596 compare,
+ *    229973 select. */
 tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench[6], real_t
     served[6], real_t inner[6]);
 
@@ -89,16 +89,16 @@ tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench
  *  TB_INACCURATE: not done after 40 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: not done after 280 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
  *  Error of tension: double at most 4.2e-11 N; float at most 7.2e-02 N.
  *  Error of delivered: double at most 1.3e-13 N; float at most 4.5e-05 N.
  *  Error of kkt_residual: double at most 2.1e-14 N; float at most 3.9e-05 N.
- *  At most 260 steps.
+ *  At most 400 steps.
  *  Visits 56 subsets of the cables.
- *  Cost, all branches and steps: 193557 add, 189134 mul, 5855 div, 2163 sqrt, 23789 compare,
- *    175935 select. */
+ *  Cost, all branches and steps: 316897 add, 295954 mul, 8795 div, 3283 sqrt, 33729 compare,
+ *    290315 select. */
 tb_status tb_distribute_tension_scale(const real_t structure[48], const real_t wrench[6],
     real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
 
@@ -112,15 +112,15 @@ tb_status tb_distribute_tension_scale(const real_t structure[48], const real_t w
  *  TB_INACCURATE: not done after 40 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  TB_INACCURATE: not done after 140 steps.
+ *  TB_INACCURATE: not done after 280 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
  *  Error of tension: double at most 2.5e-12 N; float at most 9.6e-01 N.
  *  Error of delivered: double at most 1.0e-13 N; float at most 1.3e-02 N.
  *  Error of kkt_residual: double at most 4.3e-14 N; float at most 1.5e-05 N.
- *  At most 260 steps.
- *  Cost, all branches and steps: 182308 add, 176299 mul, 5514 div, 1877 sqrt, 21091 compare,
- *    174744 select. */
+ *  At most 400 steps.
+ *  Cost, all branches and steps: 305648 add, 283119 mul, 8454 div, 2997 sqrt, 31031 compare,
+ *    289124 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[48], const real_t wrench[6],
     real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
 

@@ -35,9 +35,9 @@ BEYOND = 64.0
 #: can exert: half of what the tensions of least norm may miss it by.
 OUTSIDE = 16.0
 FAR = 1e30
-#: Steps a vertex, twice what a hundred thousand wrenches around the border take: 8.3 were the most
-#: seen, with 16 cables in six dimensions (tests/equivalence/test_many_cables.py).
-STEPS_PER_VERTEX = 20
+#: Steps a vertex, more than twice what a hundred thousand wrenches around the border take: 11 were
+#: the most seen, with 16 cables in six dimensions (tests/equivalence/test_many_cables.py).
+STEPS_PER_VERTEX = 40
 
 
 @dataclass(frozen=True)

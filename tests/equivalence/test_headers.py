@@ -19,6 +19,7 @@ UNCONDITIONED = [
     name
     for name in JUDGES
     if not name.startswith(("distribute_", "least_norm_", "served_", "zero_", "tension_"))
+    and not name.startswith(("kernel_", "reduced_", "largest_"))
 ]
 
 

@@ -105,7 +105,9 @@ def test_the_force_over_the_target_is_the_reference_s(path: Path) -> None:
     machine = load_machine(path)
     poses = target_poses(machine)
     force = quality.isotropic_force(machine, poses, base_targets(machine, poses))
-    assert np.maximum(isotropic_force(machine), 0) == pytest.approx(force, rel=1e-12, abs=1e-12)
+    assert np.maximum(isotropic_force(machine), 0) == pytest.approx(
+        np.nan_to_num(force), rel=1e-12, abs=1e-12
+    )
 
 
 def test_the_needed_tension_gives_just_the_wanted_force_at_every_pose() -> None:

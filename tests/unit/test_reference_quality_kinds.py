@@ -7,11 +7,12 @@ import pytest
 from reference_poses import NAMES, WIDE_EPS, Wide, machine_of, random_poses
 
 from model.machine import Machine, Wall
+from model.reference.arrays import norm
 from model.reference.control import base_targets, load_tension, wall_force
 from model.reference.kinematics import (
     anchor_points,
     base_points,
-    cable_lengths,
+    cable_vectors,
     moment_lever,
     structure_matrix,
 )
@@ -139,7 +140,7 @@ def test_equation_10_is_minus_the_transposed_jacobian_times_the_wrench(name: str
     machine = machine_of(name)
     pose, rails = random_poses(machine, 20)
     load = np.random.default_rng(2).normal(size=pose.shape)
-    lengths = cable_lengths(machine, pose, rails).astype(float)
+    lengths = norm(cable_vectors(machine, pose, rails)).astype(float)
     structure = structure_matrix(machine, pose, rails).astype(float)
     found = wrench_share_eq10(machine, pose, rails, load)
     for length, s, w, share in zip(lengths, structure, load, found, strict=True):

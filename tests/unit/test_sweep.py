@@ -9,7 +9,7 @@ import pytest
 from built import answered, built
 from numpy.typing import NDArray
 
-from codegen.accuracy import FIRST_POINTS, NEIGHBOURS, affordable
+from codegen.accuracy import FEWEST_POINTS, FIRST_POINTS, MOST_WORK, affordable
 from codegen.bind import REALS
 from codegen.composite import cost, fingerprint, most_visits
 from codegen.enumeration import Enumeration, enumeration
@@ -124,8 +124,10 @@ def test_with_more_bits_a_sweep_is_nearer_the_exact_result() -> None:
 def test_a_long_sweep_is_tried_at_fewer_points() -> None:
     assert affordable(item(), FIRST_POINTS) == FIRST_POINTS
     long = enumeration(replace(longest_sum(), subsets=PAIRS * 64), lowered)
-    assert affordable(long, FIRST_POINTS) == FIRST_POINTS // 10
-    assert affordable(long, 1) == NEIGHBOURS
+    operations = sum(cost(long).values())
+    assert affordable(long, FIRST_POINTS) == int(MOST_WORK / operations) < FIRST_POINTS
+    longer = enumeration(replace(longest_sum(), subsets=PAIRS * 6400), lowered)
+    assert affordable(longer, FIRST_POINTS) == FEWEST_POINTS
 
 
 def test_parts_that_do_not_fit_together_are_refused() -> None:
