@@ -110,8 +110,11 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
         # the ray meets the border of a flat set at a small angle
         served = served + 2 * infeasible * tolerated(machine, p.epsilon, structure)
     if policy != "paper" and machine.dof > 2:
-        # the normal of a facet loses what the cables along it do; in the plane there is one
-        served = served + infeasible * ROUNDINGS * p.epsilon * size * gain
+        # the normal of a facet loses what the cables along it do; in the plane there is one. A ray
+        # that meets the facet at a small angle feels that more: as it feels the bounds
+        shift = relative * bounds.max * structure.shape[-1]
+        steep = np.maximum(1, norm(moved[1] / lever) / shift)
+        served = served + infeasible * ROUNDINGS * p.epsilon * size * gain * steep
     own = relative * bounds.max * gain
     lost = np.zeros(p.count, dtype=bool)
     if policy != "paper":
