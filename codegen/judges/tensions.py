@@ -111,8 +111,10 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
         served = served + 2 * infeasible * tolerated(machine, p.epsilon, structure)
     if policy != "paper" and machine.dof > 2:
         # the normal of a facet loses what the cables along it do; in the plane there is one. A ray
-        # that meets the facet at a small angle feels that more: as it feels the bounds
-        shift = relative * bounds.max * structure.shape[-1]
+        # that meets the facet at a small angle feels that more: as it feels the bounds, by which a
+        # facet with the normal m is shifted by |S'm| at least
+        least = smallest_singular_value(np.swapaxes(levered, -1, -2))
+        shift = relative * bounds.max * np.maximum(least, rank_limit(p.epsilon))
         steep = np.maximum(1, norm(moved[1] / lever) / shift)
         served = served + infeasible * ROUNDINGS * p.epsilon * size * gain * steep
     own = relative * bounds.max * gain
