@@ -35,8 +35,9 @@ BEYOND = 64.0
 #: can exert: half of what the tensions of least norm may miss it by.
 OUTSIDE = 16.0
 FAR = 1e30
-#: Steps a vertex, more than twice what a hundred thousand wrenches around the border take: 11 were
-#: the most seen, with 16 cables in six dimensions (tests/equivalence/test_many_cables.py).
+#: Steps a vertex: half of them must solve what all solve, of a hundred thousand wrenches around the
+#: border (tests/equivalence/test_many_cables.py). 10 are not enough for 16 cables in six dimensions
+#: in single precision.
 STEPS_PER_VERTEX = 40
 
 
