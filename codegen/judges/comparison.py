@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from codegen.judges.conditioning import smallest_singular_value
 from codegen.judges.problem import (
     ROUNDINGS,
     Bools,
@@ -22,19 +23,20 @@ from codegen.judges.problem import (
     Wide,
     always,
     broadcast,
+    levers,
     statuses,
 )
 from codegen.judges.tensions import (
     RANK_FACTOR,
     TENSION_ROUNDINGS,
     nearly_parallel,
+    rank,
     rank_limit,
     with_bounds,
 )
 from model.machine import Machine
 from model.reference import brau
 from model.reference.arrays import norm
-from model.reference.kinematics import moment_lever
 from model.symbolic import comparison
 from model.symbolic.function import Status
 from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS
@@ -113,32 +115,18 @@ def out_of_reach(p: Problem, found: Moved) -> Moved:
     return replace(found, none=found.none | (largest > limit))
 
 
-def weighed(p: Problem) -> Wide:
-    """S with moments over the lever."""
-    lever = moment_lever(p.machine, p["structure"].dtype)
-    return np.asarray(p["structure"] / lever[:, None])
-
-
-def least_singular_value(matrix: Wide) -> Wide:
-    """Of matrices (..., d, k); in double precision, which is enough to compare with limits."""
-    return np.asarray(np.linalg.svd(matrix.astype(float), compute_uv=False)[..., -1])
-
-
-def rank(p: Problem) -> tuple[Bools, Bools]:
-    """Where S must, and may, count as singular: by the pivots of a factorisation, or sooner."""
-    matrix, limit = weighed(p), rank_limit(p.epsilon)
-    triangle = np.linalg.qr(np.swapaxes(matrix, -1, -2).astype(float), mode="r")
-    pivot = np.min(np.abs(np.diagonal(triangle, axis1=-2, axis2=-1)), axis=-1)
-    return pivot < limit / RANK_FACTOR, least_singular_value(matrix) < limit * RANK_FACTOR
+def columns(p: Problem) -> Wide:
+    """Columns of S (count, n, d) with moments over the lever."""
+    return np.swapaxes(p["structure"] / levers(p.machine)[:, None], -1, -2)
 
 
 def kernel_tension(p: Problem) -> Expected:
     """More redundant cables are solved like Yoon's eq. 22: up to a residual of its own."""
     machine = p.machine
     found = moved(p, p["wrench"], brau.kernel_tension)
-    singular = rank(p)
+    weakest, singular = rank(p, p["structure"])
     largest = np.max(np.where(np.isfinite(found.value), found.value, 0), axis=-1)
-    least = np.maximum(least_singular_value(weighed(p)), rank_limit(p.epsilon))
+    least = np.maximum(weakest, rank_limit(p.epsilon))
     rounding = RANK_FACTOR * KKT_TOLERANCE * p.epsilon * np.maximum(largest, machine.tension.max)
     doubtful = singular[1] | (rounding > LARGEST_MISS * machine.tension.max * least)
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
@@ -152,19 +140,19 @@ def reduced_matrix_tension(p: Problem) -> Expected:
     machine = p.machine
     found = moved(p, p["wrench"], brau.reduced_matrix_tension)
     # as in the C
-    told_by = determinant if machine.dof <= 3 else least_singular_value
+    told_by = determinant if machine.dof <= 3 else smallest_singular_value
     near = least_of_sets(p, told_by) < RANK_FACTOR * rank_limit(p.epsilon)
     bears = np.where(np.isfinite(found.value), found.value, 0) > machine.tension.min
-    doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p)[1]
+    doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p, p["structure"])[1][1]
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
     return told(p, unsure, machine.tension.min, {})
 
 
 def least_of_sets(p: Problem, measure: Callable[[Wide], Wide]) -> Wide:
     """How nearly dependent any d cables are (count), by a measure of square matrices."""
-    matrix = weighed(p)
-    sets = combinations(range(matrix.shape[-1]), matrix.shape[-2])
-    each = [measure(matrix[..., list(chosen)]) for chosen in sets]
+    rays = columns(p)
+    sets = combinations(range(rays.shape[-2]), rays.shape[-1])
+    each = [measure(rays[:, list(chosen)]) for chosen in sets]
     return np.asarray(np.min(each, axis=0))
 
 
@@ -185,7 +173,7 @@ def in_proportion(method: Callable[[Machine, Wide, float], Wide]) -> Method:
 def largest_tensions_eq12(p: Problem) -> Expected:
     """A set of dependent cables is a fault; it counts as that by pivots of all its facets."""
     found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq12))
-    least, limit = least_of_sets(p, least_singular_value), rank_limit(p.epsilon)
+    least, limit = least_of_sets(p, smallest_singular_value), rank_limit(p.epsilon)
     singular = (least < limit / RANK_FACTOR / p.machine.dof, least < limit * RANK_FACTOR)
     some = Moved(
         np.where(np.isfinite(found.value), found.value, 0),
@@ -219,7 +207,7 @@ def largest_tension(p: Problem) -> Expected:
         return np.where(without, brau.largest_tension(machine, structure, 0.0), some)
 
     found = out_of_reach(p, moved(p, p["force"], least))
-    return told(p, found, 0.0, {Status.SINGULAR: rank(p)})
+    return told(p, found, 0.0, {Status.SINGULAR: rank(p, p["structure"])[1]})
 
 
 JUDGES: dict[str, Judge] = {
