@@ -1,0 +1,106 @@
+/* One CAN bus as the runtime sees it: a port with a driver behind it.
+ *
+ * A port never blocks and never allocates. What it cannot send at once it refuses and counts: a
+ * torque that waits in a queue is an old torque. All memory of a driver is in its own struct,
+ * whose first member is the port; its header has the function that sets it up.
+ *
+ *   slcan.h      any USB adapter that speaks ASCII over a serial line
+ *   socketcan.h  a CAN interface of the Linux kernel
+ *   loopback.h   frames in memory: simulated drives in the same process */
+#ifndef TB_CAN_H
+#define TB_CAN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define TB_CAN_MOST_DATA 64u /* bytes in a frame; 8 in a classic one */
+
+/* Flags of a frame, to be added up. */
+#define TB_CAN_EXTENDED ((uint8_t)1)  /* 29 bits of identifier, not 11 */
+#define TB_CAN_REMOTE ((uint8_t)2)    /* asks for data, has none */
+#define TB_CAN_FD ((uint8_t)4)        /* CAN FD: up to 64 bytes */
+#define TB_CAN_BIT_RATE_SWITCH ((uint8_t)8) /* CAN FD: data at the faster bit rate */
+
+/** A CAN frame. */
+typedef struct {
+    uint32_t id;
+    uint8_t flags;
+    uint8_t length; /* bytes of data */
+    uint8_t data[TB_CAN_MOST_DATA];
+} tb_can_frame;
+
+/** What a port answers. */
+typedef enum {
+    TB_CAN_OK = 0,
+    TB_CAN_EMPTY,   /* receive: no frame is waiting */
+    TB_CAN_FULL,    /* send: no room (ENOBUFS); the frame is gone, and counted */
+    TB_CAN_CLOSED,  /* not open, or the device has gone */
+    TB_CAN_REFUSED, /* send: not a frame this port can carry */
+    TB_CAN_NO_DEVICE,     /* open: no such interface or device */
+    TB_CAN_NO_PERMISSION, /* open: may not be used by this user */
+    TB_CAN_BUSY,          /* open: another program has it */
+    TB_CAN_NOT_CAN,       /* open: no CAN interface, no adapter answers, or not at this bit rate */
+    TB_CAN_DOWN           /* open: the interface is there, but down */
+} tb_can_result;
+
+/** How the bus itself is (CiA 301, ISO 11898-1 fault confinement). */
+typedef enum {
+    TB_CAN_ERROR_ACTIVE = 0, /* all is well */
+    TB_CAN_ERROR_WARNING,    /* an error counter passed 96 */
+    TB_CAN_ERROR_PASSIVE,    /* an error counter passed 127 */
+    TB_CAN_BUS_OFF,          /* cut off from the bus */
+    TB_CAN_NOT_OPEN          /* closed, or the device has gone */
+} tb_can_state;
+
+/** Counted since the port was opened; every counter stops at its largest value. */
+typedef struct {
+    uint32_t sent;
+    uint32_t received;
+    uint32_t refused;     /* frames that could not be sent at once: TB_CAN_FULL */
+    uint32_t lost;        /* frames that arrived where there was no room for them */
+    uint32_t malformed;   /* what arrived and was no frame */
+    uint32_t bus_errors;  /* error frames */
+    uint32_t bus_off;     /* times the bus was cut off */
+} tb_can_statistics;
+
+typedef struct tb_can_port tb_can_port;
+
+/** What a driver does for its port; no function waits. */
+typedef struct {
+    tb_can_result (*send)(tb_can_port *port, const tb_can_frame *frame);
+    tb_can_result (*receive)(tb_can_port *port, tb_can_frame *frame);
+    tb_can_state (*state)(tb_can_port *port);
+    void (*close)(tb_can_port *port);
+} tb_can_driver;
+
+/** A port; the first member of every driver's own struct. */
+struct tb_can_port {
+    const tb_can_driver *driver;
+    tb_can_statistics statistics;
+};
+
+/** Send a frame, now or never. */
+static inline tb_can_result tb_can_send(tb_can_port *port, const tb_can_frame *frame)
+{
+    return port->driver->send(port, frame);
+}
+
+/** Take the frame that has waited longest; TB_CAN_EMPTY where there is none. */
+static inline tb_can_result tb_can_receive(tb_can_port *port, tb_can_frame *frame)
+{
+    return port->driver->receive(port, frame);
+}
+
+/** How the bus is. */
+static inline tb_can_state tb_can_port_state(tb_can_port *port)
+{
+    return port->driver->state(port);
+}
+
+/** Give the device back; frames that wait are dropped. Closing twice does no harm. */
+static inline void tb_can_close(tb_can_port *port)
+{
+    port->driver->close(port);
+}
+
+#endif

@@ -1,0 +1,112 @@
+/* Supervisor: brings the machine from power-on to work and from anything wrong to a safe state.
+ *
+ *   INIT        reset the drives' communication; every drive of the machine file must answer
+ *   IDENTIFY    identity, ratings: as the machine file says
+ *   CONFIGURE   write and read back every drive's contract; then wait for TB_REQUEST_ARM, no torque
+ *   HOME        cables at T_min; bases to their mechanical stop, one after the other (Yoon III-E);
+ *               then the cables' zero: calibration.h
+ *   TENSION     controller on, forces of the application off; closure must hold
+ *   RUN         forces of walls and application
+ *   SOFT_STOP   forces to zero, all cables together to T_min, then together to no torque, off
+ *   HARD_STOP   all cables together to no torque at the gate's rate, off
+ *   FAULT       no torque; the first cause stands until TB_REQUEST_RESET leads to INIT
+ *
+ * A stop that was asked for ends in CONFIGURE and takes a new TB_REQUEST_ARM; every other cause
+ * ends in FAULT. Requests are edges: a request that stands does not arm again.
+ * No cable pulls while another one that should pull cannot: whatever stops one drive stops all.
+ *
+ * Pure, as the controller step is: one call a cycle, everything remembered is in tb_supervisor.
+ * The same observations from the same memory give the same orders, to the bit: recorder.h. */
+#ifndef TB_SUPERVISOR_H
+#define TB_SUPERVISOR_H
+
+#include <stdint.h>
+
+#include "calibration.h"
+#include "controller.h"
+#include "drive.h"
+
+typedef enum {
+    TB_STATE_INIT = 0,
+    TB_STATE_IDENTIFY,
+    TB_STATE_CONFIGURE,
+    TB_STATE_HOME,
+    TB_STATE_TENSION,
+    TB_STATE_RUN,
+    TB_STATE_SOFT_STOP,
+    TB_STATE_HARD_STOP,
+    TB_STATE_FAULT
+} tb_state;
+
+/** Why the machine stopped. The number in `culprit` is a drive, a cable or a bus, from 0. */
+typedef enum {
+    TB_CAUSE_NONE = 0,
+    TB_CAUSE_REQUESTED,         /* TB_REQUEST_STOP, a signal, the end of the program */
+    TB_CAUSE_DRIVE_MISSING,     /* drive: did not boot */
+    TB_CAUSE_DRIVE_DIFFERENT,   /* drive: identity or rating is not the machine file's */
+    TB_CAUSE_DRIVE_SETUP,       /* drive: refused or changed its configuration */
+    TB_CAUSE_DRIVE_TWICE,       /* drive: two nodes have its number */
+    TB_CAUSE_STRANGER,          /* bus: a node that the machine file does not know */
+    TB_CAUSE_DRIVE_SILENT,      /* drive: status messages or heartbeat stopped */
+    TB_CAUSE_DRIVE_LATE,        /* drive: status messages come too late again and again */
+    TB_CAUSE_DRIVE_FAULT,       /* drive: in its fault state, or an emergency message */
+    TB_CAUSE_DRIVE_STATE,       /* drive: left the ordered power state, or a status unknown to CiA 402 */
+    TB_CAUSE_DRIVE_STUCK,       /* drive: did not reach the ordered power state or mode in time */
+    TB_CAUSE_BUS_OFF,           /* bus: cut off, or its device has gone */
+    TB_CAUSE_BUS_FULL,          /* bus: a frame could not be sent (ENOBUFS) */
+    TB_CAUSE_BUS_CORRUPT,       /* bus: malformed frames again and again */
+    TB_CAUSE_CYCLES_MISSED,     /* the loop came too late */
+    TB_CAUSE_HOMING,            /* drive: homing failed or found no stop in time */
+    TB_CAUSE_CALIBRATION,       /* cable zeros not observable, or the fit does not close */
+    TB_CAUSE_ENCODER_JUMP,      /* drive: moved further in a cycle than anything can */
+    TB_CAUSE_CABLE_SLACK,       /* cable: longer than the platform is far */
+    TB_CAUSE_CABLE_BREAK,       /* cable: wound in without the platform */
+    TB_CAUSE_RUNAWAY,           /* cable: faster than the machine may be */
+    TB_CAUSE_CLOSURE,           /* the measured lengths disagree, no single cable explains it */
+    TB_CAUSE_BASE_LOST,         /* drive: a base does not follow its target */
+    TB_CAUSE_CONTROLLER,        /* the controller step failed too often: status in `detail` */
+    TB_CAUSE_MEMORY             /* the torque gate found damaged memory */
+} tb_cause;
+
+/* Requests; the supervisor acts on the cycle in which a bit appears. */
+#define TB_REQUEST_ARM ((uint32_t)1)   /* from CONFIGURE to HOME */
+#define TB_REQUEST_STOP ((uint32_t)2)  /* soft stop; acts as long as it stands */
+#define TB_REQUEST_RESET ((uint32_t)4) /* from FAULT to INIT */
+
+/** What one cycle sees. */
+typedef struct {
+    tb_drive_report drives[TB_DRIVES];
+    tb_bus_report buses[TB_BUSES];
+    real_t force[TB_DOF];      /* N, force the application wants; any value, NaN included */
+    real_t hand_force[TB_DOF]; /* N, measured; read only if TB_HAND_FORCE_MEASURED */
+    uint32_t hand_force_fresh; /* 1 while the force sensor delivers; else no compensation */
+    uint32_t requests;
+    uint32_t missed;           /* cycles that were skipped since the last one */
+} tb_observation;
+
+/** What one cycle orders and tells. */
+typedef struct {
+    tb_drive_order drives[TB_DRIVES];
+    tb_outputs controller;     /* of the controller step; all zero where it does not run */
+    real_t slack[TB_CABLES];   /* m, how far each cable alone would explain the closure error */
+    uint8_t beat;              /* 1: this cycle is checked and complete, the heartbeat may go out */
+    uint8_t state;             /* tb_state */
+    uint8_t phase;             /* step within the state, for people: supervisor.c */
+    uint8_t cause;             /* tb_cause, first since the last reset */
+    uint16_t culprit;
+    uint16_t index;            /* object of TB_CAUSE_DRIVE_DIFFERENT and _SETUP */
+    uint8_t subindex;
+    uint8_t failure;           /* tb_failure of the same */
+    uint32_t detail;           /* abort code, value found, emergency code or tb_status */
+} tb_orders;
+
+/** Everything remembered from cycle to cycle: supervisor_memory.h. */
+typedef struct tb_supervisor tb_supervisor;
+
+/** Begin in INIT, without torque. */
+void tb_supervisor_start(tb_supervisor *supervisor);
+
+/** Run one cycle; all orders are written. */
+void tb_supervisor_step(tb_supervisor *supervisor, const tb_observation *seen, tb_orders *orders);
+
+#endif
