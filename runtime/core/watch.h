@@ -1,0 +1,45 @@
+/* Watch over the cables: what only the whole machine can see, not a single drive.
+ *
+ * The measured lengths overdetermine the pose; what they disagree by (the closure error e, square to
+ * the columns of dl/dx) tells a cable that no longer is what its drive measures. With the projector
+ * N on that space, a fault of size delta in cable i alone gives e = delta N_i, so the likeliest cable
+ * leaves the least of e unexplained: delta_i = e_i / N_ii. delta > 0: the cable is longer than the
+ * platform is far, slack. delta < 0: it was wound in without the platform, broken. */
+#ifndef TB_WATCH_H
+#define TB_WATCH_H
+
+#include <stdint.h>
+
+#include "cause.h"
+#include "tb_drives.h"
+#include "tb_machine.h"
+#include "tb_types.h"
+
+/** Cycles in a row beyond a limit. */
+typedef struct {
+    uint16_t open;             /* closure */
+    uint16_t lagging[TB_RAIL_SLOTS]; /* bases behind their targets */
+} tb_watch;
+
+/** What the watch found; TB_CAUSE_NONE for nothing. */
+typedef struct {
+    tb_cause cause;
+    uint16_t culprit; /* cable or drive, from 0 */
+} tb_verdict;
+
+/** What it looks at. */
+typedef struct {
+    const real_t *lengths;      /* m (TB_CABLES), measured */
+    const real_t *length_rates; /* m/s (TB_CABLES), filtered */
+    const real_t *rails;        /* m (TB_RAIL_SLOTS), measured */
+    const real_t *rail_targets; /* m (TB_RAIL_SLOTS) */
+    const real_t *pose;         /* (TB_DOF), computed from lengths and rails */
+    real_t residual;            /* m, of that pose */
+} tb_watched;
+
+void tb_watch_start(tb_watch *watch);
+
+/** Look at one cycle. slack [m] (TB_CABLES): delta of every cable, 0 while the closure holds. */
+tb_verdict tb_watch_cables(tb_watch *watch, const tb_watched *seen, real_t slack[TB_CABLES]);
+
+#endif
