@@ -11,7 +11,7 @@ MACHINE ?= machines/yoon2023.toml
 VENV := .venv
 TURNBUCKLE := $(VENV)/bin/turnbuckle
 MACHINES := $(sort $(wildcard machines/*.toml))
-TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence closed_loop gates))
+TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire closed_loop faults gates fuzz))
 
 # The stamp's name holds the hash of all that set-up depends on: when it exists there is nothing to do.
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages

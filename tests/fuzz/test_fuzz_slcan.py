@@ -1,0 +1,33 @@
+"""The slcan reader takes any characters; a seeded defect is found."""
+
+from pathlib import Path
+
+import pytest
+from fuzzing import ROOT, Target
+
+CAN = ROOT / "runtime" / "can"
+READER = CAN / "slcan_text.c"
+SLCAN = Target("slcan", (READER, CAN / "can.c"), (CAN,))
+
+DEFECTS = {
+    "a line longer than its room": (
+        "if (length < TB_SLCAN_LONGEST_LINE) {",
+        "if (length < TB_SLCAN_LONGEST_LINE + 2u) {",
+    ),
+    "a broken line that takes the next one along": (
+        "    reader->length = 0;\n    if (length == TB_SLCAN_LONGEST_LINE) {",
+        "    if (length < TB_SLCAN_LONGEST_LINE) {\n        reader->length = 0;\n    } else {",
+    ),
+    "an identifier that no frame has": (" || !tb_can_is_frame(&read)", ""),
+}
+
+
+def test_any_characters_into_the_reader_for_a_minute(tmp_path: Path) -> None:
+    assert SLCAN.build(tmp_path).finding(60) is None
+
+
+@pytest.mark.parametrize("defect", DEFECTS)
+def test_a_seeded_defect_is_found(defect: str, tmp_path: Path) -> None:
+    old, new = DEFECTS[defect]
+    seeded = SLCAN.with_defect(READER, old, new, tmp_path)
+    assert seeded.build(tmp_path).finding(20) is not None
