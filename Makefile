@@ -57,12 +57,20 @@ LIBRARIES := $(foreach name,$(basename $(notdir $(MACHINES))),$(TARGETS:%=build/
 
 build: $(SETUP) $(LIBRARIES) ## compile generated and runtime C of every machine: double, float, Cortex-M4F
 
+# A machine with buses takes the whole runtime but what needs an operating system, the others the step.
+STEP := runtime/core/controller.c runtime/core/torque_gate.c
+RUNTIME := $(wildcard runtime/core/*.c runtime/canopen/*.c) \
+  $(wildcard runtime/can/loopback.c runtime/can/slcan_text.c)
+runtime_of = $(if $(wildcard generated/$(1)/tb_drives.h),$(RUNTIME),$(STEP))
+HEADERS := $(wildcard runtime/core/*.h runtime/canopen/*.h runtime/can/*.h)
+INCLUDES := -Iruntime/core -Iruntime/canopen -Iruntime/can
+
 .SECONDEXPANSION:
-build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch] runtime/core/*.[ch]) Makefile
+build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch]) $$(call runtime_of,$$(*D)) $(HEADERS) Makefile
 	@echo "build $*"
 	@rm -rf $(@D) && mkdir -p $(@D)
 	@for file in $(filter %.c,$^); do \
-	  $(CC_$(*F)) -Igenerated/$(*D) -Iruntime/core -c $$file -o $(@D)/$$(basename $$file .c).o; \
+	  $(CC_$(*F)) -Igenerated/$(*D) $(INCLUDES) -c $$file -o $(@D)/$$(basename $$file .c).o; \
 	done
 	@ar rcs $@ $(@D)/*.o
 

@@ -18,6 +18,8 @@ UNCOMPENSATED = 1
 
 SHIM = Path(__file__).parent / "controller_shim.c"
 RUNTIME_CORE = Path(__file__).parents[1] / "runtime" / "core"
+#: The part of the runtime that is the controller step; the rest is for machines with buses.
+STEP = ("controller.c", "torque_gate.c")
 
 
 class Outputs(NamedTuple):
@@ -47,7 +49,7 @@ class Controller:
     def __init__(self, generated: Generated, core: Path = RUNTIME_CORE) -> None:
         """Compile and load the runtime's core, kept in `core`, around a machine's generated C."""
         folder = generated.folder
-        sources = [*sorted(folder.glob("*.c")), *sorted(core.glob("*.c")), SHIM]
+        sources = [*sorted(folder.glob("*.c")), *(core / name for name in STEP), SHIM]
         library = compile_library(sources, [folder, core], generated.precision)
         self._library = ctypes.CDLL(str(library))
         self._library.shim_run.restype = None

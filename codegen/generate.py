@@ -11,6 +11,7 @@ import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
+from codegen.bus.drives import drive_fields
 from codegen.chain import Chain, chain
 from codegen.composite import Item, Procedure, fingerprint, loop
 from codegen.constants import constants
@@ -30,6 +31,15 @@ GENERATOR_VERSION = "0.1.0"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
+#: Tables of a machine file that say nothing about a machine without buses.
+BUS_TABLES: dict[str, Any] = {
+    "buses": True,
+    "drives": True,
+    "supervision": True,
+    "calibration": True,
+    "cable_motor": {"rating"},
+    "rail_drive": {"rating", "homing"},
+}
 
 
 class GenerateError(Exception):
@@ -96,8 +106,12 @@ def machine_hash(model: Model) -> str:
 
 
 def canonical(machine: Machine) -> str:
-    """The machine's numbers as text; comments and spelling of units do not count."""
-    content = machine.model_dump(mode="json", by_alias=True, exclude={"path"})
+    """The machine's numbers as text; comments and spelling of units do not count.
+
+    Without buses the tables about them say nothing about the C, and do not count either.
+    """
+    left_out = None if machine.buses else BUS_TABLES
+    content = machine.model_dump(mode="json", by_alias=True, exclude=left_out)
     return json.dumps(content, sort_keys=True)
 
 
@@ -119,6 +133,10 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
             common, name=machine.name, hash=identity, groups=constants(machine)
         ),
     }
+    if machine.buses:
+        fields = {**common, **drive_fields(machine)}
+        for name in ("tb_drives.h", "tb_drives.c"):
+            files[name] = environment.get_template(f"{name}.jinja").render(fields)
     for topic, routines in model.topics.items():
         fields = {
             **common,

@@ -19,6 +19,7 @@ from model.base import (
     RailCoordinate,
     motions,
 )
+from model.bus.tables import Bus, Calibration, Drive, RailHoming, Rating, Supervision
 from model.consistency import consistency_problems
 from model.kind import KINDS
 from model.problem import MachineError, Problem, schema_problems
@@ -132,6 +133,7 @@ class CableMotor(Table):
     torque_rate_limit: TorqueRate = Field(
         description="largest change of torque the gate lets through [N m/s]"
     )
+    rating: Rating | None = Field(None, description="motor and encoder; due with [[bus]]")
 
 
 class Control(Table):
@@ -186,6 +188,8 @@ class RailDrive(Table):
     integral: IntegralGain = Field(description="integral gain [N/(m s)]")
     damping: Damping = Field(description="derivative gain [N s/m]")
     derivative_corner: Frequency = Field(description="corner of the speed's low-pass [Hz]")
+    rating: Rating | None = Field(None, description="motor and encoder; due with [[bus]]")
+    homing: RailHoming | None = Field(None, description="how zero is found; due with [[bus]]")
 
 
 class Wall(Table):
@@ -268,6 +272,18 @@ class Machine(Table):
     rail_drive: RailDrive | None = Field(None, description="due when a cable has a rail")
     walls: tuple[Wall, ...] = Field((), alias="wall", description="any number of [[wall]]")
     target: Target = Field(description="the table [target]")
+    buses: tuple[Bus, ...] = Field((), alias="bus", description="any number of [[bus]]")
+    drives: tuple[Drive, ...] = Field(
+        (), alias="drive", description="with buses: one [[drive]] for each cable and rail"
+    )
+    supervision: Supervision = Field(
+        default_factory=lambda: Supervision.model_validate({}),
+        description="limits and times of a machine with buses",
+    )
+    calibration: Calibration = Field(
+        default_factory=lambda: Calibration.model_validate({}),
+        description="of the cables' zeros, of a machine with buses",
+    )
     plant: Plant | None = Field(None, description="read by the virtual test bench only")
 
     _path: Path = PrivateAttr(default=Path())

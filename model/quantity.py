@@ -93,12 +93,14 @@ class Quantity:
             dimension = str(unit.dimensionality or "no dimension")
             raise refusal(f"{self.allowed} ({target.dimensionality})", f"{found} ({dimension})")
         quantity = _registry().Quantity(number, unit)
-        # To pint an angle is a plain number: 1 rad/s would pass for 1 Hz.
-        is_angle = "radian" in dict(quantity.to_root_units().unit_items())
-        if self.si == "Hz" and is_angle:
+        # To pint angles and bits are plain numbers: 1 rad/s and 1 bit/s would pass for 1 Hz.
+        counted = dict(quantity.to_root_units().unit_items()).keys()
+        if self.si == "Hz" and counted & {"radian", "bit"}:
             raise refusal(f"{self.allowed} (cycles, not angle, per second)")
-        if self.si == "rad" and not is_angle:
+        if self.si == "rad" and "radian" not in counted:
             raise refusal(f"{self.allowed} (an angle)", f"{found}, which is no angle")
+        if self.si == "bit/s" and "bit" not in counted:
+            raise refusal(f"{self.allowed} (bits per second)")
         return float(quantity.to(target).magnitude)
 
     def _check_size(self, magnitude: float) -> None:
@@ -117,6 +119,38 @@ class Quantity:
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> JsonSchemaValue:
         return {"type": "string", "pattern": rf"^\s*{NUMBER}\s*\S+.*$", "examples": [self.example]}
+
+
+@dataclass(frozen=True)
+class Whole:
+    """What a key of a whole number accepts: its meaning and its bounds."""
+
+    what: str
+    least: int
+    most: int
+
+    @property
+    def allowed(self) -> str:
+        """The wording of what is allowed here."""
+        return f"{self.what}, a whole number from {self.least} to {self.most}"
+
+    def parse(self, value: object) -> int:
+        """Number of the machine file; raises the refusal to show to the user."""
+        if isinstance(value, bool) or not isinstance(value, int):
+            raise refusal(self.allowed)
+        if not self.least <= value <= self.most:
+            raise refusal(self.allowed)
+        return value
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.parse)
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        return {"type": "integer", "minimum": self.least, "maximum": self.most}
 
 
 def _array(what: str, example: str) -> BeforeValidator:
@@ -157,6 +191,7 @@ def _plain_number(value: object) -> float:
 _LENGTH = "a length", "m", "5 mm"
 Coordinate = Annotated[float, Quantity(*_LENGTH, sign="any")]
 Length = Annotated[float, Quantity(*_LENGTH)]
+LengthOrZero = Annotated[float, Quantity(*_LENGTH, sign="not negative")]
 Force = Annotated[float, Quantity("a force", "N", "10 N")]
 ForceOrZero = Annotated[float, Quantity("a force", "N", "3 N", sign="not negative")]
 Mass = Annotated[float, Quantity("a mass", "kg", "0.1 kg")]
@@ -176,6 +211,12 @@ IntegralGain = Annotated[
 Damping = Annotated[float, Quantity("a damping", "N*s/m", "5 N*s/m", sign="not negative")]
 Angle = Annotated[float, Quantity("an angle", "rad", "45 deg")]
 AngleOrZero = Annotated[float, Quantity("an angle", "rad", "20 deg", sign="not negative")]
+BitRate = Annotated[float, Quantity("a bit rate", "bit/s", "1 Mbit/s")]
+Current = Annotated[float, Quantity("a current", "A", "2.27 A")]
+TorqueConstant = Annotated[float, Quantity("a torque constant", "N*m/A", "114 mN*m/A")]
+Speed = Annotated[float, Quantity("a speed", "m/s", "50 mm/s")]
+Acceleration = Annotated[float, Quantity("an acceleration", "m/s^2", "0.5 m/s^2")]
+Duration = Annotated[float, Quantity("a time", "s", "20 ms")]
 Point = Annotated[tuple[Coordinate, ...], _array("lengths", '["0 mm", "461.8 mm"]')]
 Size = Annotated[tuple[Length, ...], _array("lengths", '["506 mm", "284 mm"]')]
 UnitVector = Annotated[tuple[float, ...], BeforeValidator(_unit_vector)]

@@ -26,8 +26,8 @@ def stock() -> dict[str, Any]:
 
 
 def fixed(name: str, bases: list[tuple[str, str]]) -> dict[str, Any]:
-    """Fixed bases, no walls, no observer."""
-    left_out = {"rail_drive", "wall", "disturbance_observer"}
+    """Fixed bases, no walls, no observer, no buses."""
+    left_out = {"rail_drive", "wall", "disturbance_observer", "bus", "drive"}
     tables = {key: value for key, value in stock().items() if key not in left_out}
     tables["machine"] |= {"name": name}
     return tables | {"cable": [{"base": list(base)} for base in bases]}

@@ -48,9 +48,10 @@ def refusal(tmp_path: Path, text: str) -> str:
 
 
 def without(header: str, text: str = TEXT) -> str:
-    """The file less the first table of this header."""
+    """The file less the first table of this header and the tables within it."""
     start = text.index(f"\n{header}") + 1
-    following = re.compile(r"^\[", re.MULTILINE).search(text, start + 1)
+    name = re.escape(header.strip("[]"))
+    following = re.compile(rf"^\[(?!{name}\.)", re.MULTILINE).search(text, start + 1)
     return text[:start] + (text[following.start() :] if following else "")
 
 

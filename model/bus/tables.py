@@ -1,0 +1,146 @@
+"""The tables of a machine file about buses, drives, their motors, and supervision; SI units.
+
+Drives are CiA 402 drives of the EPOS4 kind. Object numbers in the text are those of its dictionary.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from model.quantity import (
+    Acceleration,
+    BitRate,
+    Current,
+    Duration,
+    Frequency,
+    Length,
+    LengthOrZero,
+    Speed,
+    TorqueConstant,
+    TorqueRate,
+    Whole,
+)
+from model.table import Table
+from model.words import Identifier
+
+MOST_NODE = 126
+MASTER_NODE = 127
+Node = Annotated[int, Whole("a node number", 1, MOST_NODE)]
+Unsigned32 = Annotated[int, Whole("an unsigned number of 32 bits", 0, 0xFFFF_FFFF)]
+Counts = Annotated[int, Whole("counts of an encoder", 4, 4_000_000)]
+Samples = Annotated[int, Whole("a number of measurements", 4, 200)]
+Cycles = Annotated[int, Whole("a number of cycles", 0, 250)]
+
+
+class Bus(Table):
+    """A CAN bus."""
+
+    name: Identifier = Field(description="name of the bus")
+    bit_rate: BitRate = Field(description="bit rate, one of CiA 301 [bit/s]")
+    rate: Frequency = Field(
+        description="SYNC messages per second, a whole fraction of control.rate [Hz]"
+    )
+
+
+class Drive(Table):
+    """A drive on a bus; `base_<n>` moves rail coordinate n, counted from 1."""
+
+    name: Identifier = Field(description="a cable's drive, or base_1, base_2 ... of the rails")
+    bus: Identifier = Field(description="name of the bus it is on")
+    node: Node = Field(description=f"its number on the bus; the master is {MASTER_NODE}")
+    product: Unsigned32 | None = Field(
+        None, description="product code (1018:2) that it must have; any without this key"
+    )
+    revision: Unsigned32 | None = Field(
+        None, description="revision (1018:3) that it must have; any without this key"
+    )
+    direction: Literal["forward", "reverse"] = Field(
+        "forward",
+        description="forward where a positive turn winds cable in or raises the rail coordinate",
+    )
+    mode: Literal["torque", "position"] = Field(
+        "torque",
+        description="torque (CST), or for bases position (CSP): what it follows at work",
+    )
+
+
+class Rating(Table):
+    """A motor with its encoder; rated torque (6076) = nominal current x torque constant."""
+
+    nominal_current: Current = Field(description="3001:1, what it takes for ever [A]")
+    current_limit: Current = Field(description="3001:2, most that the drive gives it [A]")
+    torque_constant: TorqueConstant = Field(description="3001:5 [N m/A]")
+    encoder_counts: Counts = Field(description="counts a turn, four times the pulses of 3010:1")
+
+    @property
+    def rated_torque(self) -> float:
+        """Torque that the drive calls 1000 per mille [N m]: 6076, in whole uN m."""
+        return round(self.nominal_current * self.torque_constant * 1e6) * 1e-6
+
+
+class RailHoming(Table):
+    """How a base finds its zero: slowly against a mechanical stop (Yoon III-E)."""
+
+    end: Literal["start", "end"] = Field(
+        "start", description="end of the rail with the stop: start (rail coordinate 0) or end"
+    )
+    beyond: LengthOrZero = Field(
+        0.0, description="how far beyond that end the carriage meets the stop [m]"
+    )
+    speed: Speed = Field(description="towards the stop (6099) [m/s]")
+    acceleration: Acceleration = Field(description="609A [m/s^2]")
+    current: Current = Field(description="current that tells the stop (30B2) [A]")
+
+
+class Calibration(Table):
+    """How the cables' zeros are found: bases sweep, cables hold the platform at T_min."""
+
+    samples: Samples = Field(24, description="poses that are measured")
+    interval: Duration = Field(0.1, description="time between two of them [s]")
+    travel: Length = Field(
+        0.1, description="sweep of each base to either side of the middle of its rail [m]"
+    )
+
+
+class Supervision(Table):
+    """Limits beyond which the machine is stopped, and the times that things may take."""
+
+    heartbeat: Duration = Field(0.01, description="between heartbeats of the master [s]")
+    heartbeat_timeout: Duration = Field(
+        0.04, description="without one until a drive gives up its torque (1016) [s]"
+    )
+    drive_heartbeat: Duration = Field(0.02, description="between heartbeats of a drive (1017) [s]")
+    drive_timeout: Duration = Field(0.1, description="without one until a drive is silent [s]")
+    connection_loss: Literal["disable", "quick_stop"] = Field(
+        "disable",
+        description="without the master (6007) a drive does: disable (no torque) or quick_stop",
+    )
+    quick_stop: Literal["off", "hold"] = Field(
+        "off", description="where a drive's quick stop (605A) ends: off, or hold with torque"
+    )
+    answer_delay: Duration = Field(
+        40e-6, description="most from SYNC until a drive's answer is ready to be sent [s]"
+    )
+    compute_time: Duration = Field(
+        100e-6, description="set aside for computing one control cycle [s]"
+    )
+    answer_timeout: Duration = Field(0.5, description="until an SDO request has failed [s]")
+    missed_syncs: Cycles = Field(2, description="unanswered SYNCs in a row that are bridged")
+    skipped_cycles: Cycles = Field(2, description="control cycles skipped at once that are bridged")
+    failed_steps: Cycles = Field(20, description="failed controller steps in a row, bridged")
+    closure_limit: Length = Field(
+        2e-3, description="largest disagreement of the measured cable lengths [m]"
+    )
+    closure_time: Duration = Field(5e-3, description="time beyond it that is bridged [s]")
+    cable_speed: Speed = Field(5.0, description="largest speed of a cable [m/s]")
+    rail_speed: Speed = Field(3.0, description="largest speed of a carriage [m/s]")
+    rail_lag: Length = Field(0.05, description="largest distance of a base from its target [m]")
+    rail_lag_time: Duration = Field(0.2, description="time beyond it that is bridged [s]")
+    rail_torque_rate: TorqueRate = Field(
+        200.0, description="largest change of a base motor's torque [N m/s]"
+    )
+    state_timeout: Duration = Field(
+        2.0, description="for a drive to reach an ordered power state or mode [s]"
+    )
+    homing_timeout: Duration = Field(20.0, description="for one base to find its stop [s]")
+    stop_time: Duration = Field(0.3, description="of a soft stop, from work to no torque [s]")
