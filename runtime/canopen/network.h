@@ -5,20 +5,32 @@
  *   tb_network_collect   TB_COMPUTE_PHASE later: what the drives answered
  *   tb_network_dispatch  after the supervisor: setpoints, then the heartbeat, then one acyclic
  *                        frame a bus
- * Time is counted in cycles; nothing here reads a clock or waits. */
+ * Time is counted in cycles; nothing here reads a clock or waits. A bus whose SYNC comes only every
+ * few cycles gets its setpoints in those cycles. */
 #ifndef TB_NETWORK_H
 #define TB_NETWORK_H
 
+#include <stdint.h>
+
 #include "can.h"
-#include "supervisor.h"
 #include "drive_link.h"
+#include "supervisor.h"
+
+/** One bus; the counters are of the time since the last report. */
+typedef struct {
+    tb_can_port *port;
+    uint8_t synced;    /* 1: a SYNC was sent in this cycle */
+    uint8_t served;    /* drive whose acyclic frame was sent last */
+    uint8_t refused;   /* as in tb_bus_report */
+    uint8_t stranger;  /* as in tb_bus_report */
+    uint8_t malformed; /* as in tb_bus_report */
+} tb_bus;
 
 /** All buses with all drives. */
 typedef struct {
-    tb_can_port *ports[TB_BUSES];
+    tb_bus buses[TB_BUSES];
     tb_drive_link links[TB_DRIVES];
     uint32_t cycle;
-    /* and what canopen/network.c needs further */
 } tb_network;
 
 /** Take over opened ports, in the order of the buses in the machine file. */

@@ -1,0 +1,222 @@
+#include "drive_link.h"
+
+#include "cia402.h"
+#include "cob.h"
+
+/* A command acts at the next SYNC and shows after the one after that; one more may get lost. Until
+ * then the homing bits are of the run before. */
+#define HOMING_ANSWER_SYNCS 3u
+
+static const tb_drive_link unknown;
+
+static uint8_t count_up(uint8_t count)
+{
+    return (count < UINT8_MAX) ? (uint8_t)(count + 1u) : count;
+}
+
+void tb_drive_link_start(tb_drive_link *link, const tb_drive_table *drive)
+{
+    *link = unknown;
+    link->drive = drive;
+    tb_heartbeat_start(&link->heartbeat);
+    tb_setup_start(&link->setup, drive);
+}
+
+/* ---- Messages of the drive ---- */
+
+static void count_status(tb_drive_link *link, bool in_time)
+{
+    if (link->answered != 0) {
+        link->duplicates += (link->duplicates < UINT32_MAX) ? 1 : 0;
+    } else if (in_time) {
+        link->fresh = 1;
+        link->late = 0;
+    } else {
+        link->late = count_up(link->late);
+    }
+    link->answered = 1;
+    link->missed = 0;
+}
+
+/* Before it is started a drive has nothing to say by PDO: what comes is of an earlier life. */
+static bool take_status(tb_drive_link *link, const tb_can_frame *frame, bool in_time)
+{
+    if (link->setup.started == 0) {
+        return true;
+    }
+    if (!tb_pdo_take(&link->status, frame)) {
+        return false;
+    }
+    link->power = (uint8_t)tb_cia402_power(link->status.statusword);
+    count_status(link, in_time);
+    return true;
+}
+
+/* A drive that has just booted has forgotten its emergencies. */
+static bool take_error_control(tb_drive_link *link, const tb_can_frame *frame)
+{
+    static const tb_emcy none;
+    bool const taken = tb_heartbeat_take(&link->heartbeat, frame);
+    if (taken && (link->heartbeat.state == TB_NMT_BOOTED)) {
+        link->emergency = none;
+    }
+    return taken;
+}
+
+bool tb_drive_link_take(tb_drive_link *link, const tb_can_frame *frame, bool in_time)
+{
+    switch (frame->id & TB_COB_FUNCTION_MASK) {
+    case TB_COB_TPDO1:
+        return take_status(link, frame, in_time);
+    case TB_COB_EMCY:
+        return tb_emcy_take(&link->emergency, frame);
+    case TB_COB_SDO_ANSWER:
+        return tb_sdo_take(&link->setup.sdo, frame);
+    case TB_COB_ERROR_CONTROL:
+        return take_error_control(link, frame);
+    default:
+        return link->setup.started == 0; /* a PDO that the contract switched off */
+    }
+}
+
+/* ---- What is missing ---- */
+
+void tb_drive_link_sync(tb_drive_link *link, bool is_synced)
+{
+    bool const homes = (link->controlword & TB_CONTROL_HOMING_START) != 0;
+    link->fresh = 0;
+    if (is_synced) {
+        link->answered = 0;
+        link->homing_syncs = homes ? count_up(link->homing_syncs) : 0;
+    }
+}
+
+static void count_missed(tb_drive_link *link)
+{
+    bool const is_due = (link->setup.operational != 0) && (link->answered == 0);
+    link->missed = is_due ? count_up(link->missed) : link->missed;
+}
+
+static void forget_status(tb_drive_link *link)
+{
+    link->power = TB_POWER_UNKNOWN;
+    link->controlword = 0;
+    link->missed = 0;
+    link->late = 0;
+}
+
+static bool is_heard(const tb_drive_link *link)
+{
+    return (link->heartbeat.age <= (uint32_t)TB_HEARTBEAT_TIMEOUT) &&
+           (link->heartbeat.state == TB_NMT_OPERATIONAL);
+}
+
+static bool follows_bus(const tb_drive_link *link)
+{
+    return (link->setup.operational == 0) || ((link->status.statusword & TB_STATUS_REMOTE) != 0);
+}
+
+static tb_homing homing(const tb_drive_link *link)
+{
+    if (link->homing_syncs == 0) {
+        return TB_HOMING_IDLE;
+    }
+    return (link->homing_syncs < HOMING_ANSWER_SYNCS)
+               ? TB_HOMING_RUNNING
+               : tb_cia402_homing(link->status.statusword);
+}
+
+static void report_status(const tb_drive_link *link, tb_drive_report *report)
+{
+    report->position = (real_t)link->status.position * link->drive->metres_per_increment;
+    report->torque = (real_t)link->status.torque * link->drive->torque_per_permille;
+    report->statusword = link->status.statusword;
+    report->error_code = link->emergency.code;
+    report->error_class = link->emergency.class;
+    report->power = link->power;
+    report->homing = (uint8_t)homing(link);
+    report->fresh = link->fresh;
+    report->missed = link->missed;
+    report->late = link->late;
+    report->silent = (is_heard(link) && follows_bus(link)) ? 0 : 1;
+}
+
+static void report_task(const tb_setup *setup, tb_drive_report *report)
+{
+    report->mode = setup->mode;
+    report->task = setup->task;
+    report->progress = setup->progress;
+    report->failure = setup->failure;
+    report->subindex = setup->subindex;
+    report->index = setup->index;
+    report->detail = setup->detail;
+}
+
+void tb_drive_link_report(tb_drive_link *link, bool is_synced, tb_drive_report *report)
+{
+    if (is_synced) {
+        count_missed(link);
+    }
+    if (link->setup.started == 0) {
+        forget_status(link);
+    }
+    tb_heartbeat_tick(&link->heartbeat);
+    tb_setup_advance(&link->setup, &link->heartbeat, link->fresh != 0);
+    report_status(link, report);
+    report_task(&link->setup, report);
+}
+
+/* ---- Setpoints ---- */
+
+static bool is_number(real_t value)
+{
+    return (value >= TB_C(0.0)) || (value < TB_C(0.0));
+}
+
+/* A number, towards zero and no further from it than the limit. */
+static int32_t towards_zero(real_t value, real_t limit)
+{
+    return (int32_t)tb_min(tb_max(value, -limit), limit);
+}
+
+static bool follows(const tb_drive_link *link, const tb_drive_order *order, tb_mode mode)
+{
+    return (order->goal == TB_GOAL_ENABLED) && (link->setup.mode == mode);
+}
+
+static int16_t permille(const tb_drive_link *link, const tb_drive_order *order)
+{
+    real_t const wanted = order->torque * link->drive->permille_per_torque;
+    real_t const limit = (real_t)link->drive->permille_limit;
+    bool const pulls = follows(link, order, TB_MODE_TORQUE) && is_number(wanted);
+    return pulls ? (int16_t)towards_zero(wanted, limit) : 0;
+}
+
+/* A drive that is not to move is asked to be where it is. */
+static int32_t increments(const tb_drive_link *link, const tb_drive_order *order)
+{
+    real_t const wanted = order->position * link->drive->increments_per_metre;
+    real_t const limit = TB_C(2147483520.0); /* the largest int32_t that is a float */
+    bool const moves = follows(link, order, TB_MODE_POSITION) && is_number(wanted);
+    return moves ? towards_zero(wanted, limit) : link->status.position;
+}
+
+bool tb_drive_link_setpoint(tb_drive_link *link, const tb_drive_order *order, tb_can_frame *frame)
+{
+    uint8_t const node = link->drive->node;
+    bool const homes = (order->home != 0) && (link->setup.mode == TB_MODE_HOMING);
+    if (link->setup.operational == 0) {
+        return false;
+    }
+    link->controlword = tb_cia402_controlword((tb_power)link->power, (tb_goal)order->goal, homes,
+                                              link->controlword);
+    *frame = (link->drive->mode == 1)
+                 ? tb_pdo_position_frame(node, link->controlword, increments(link, order))
+                 : tb_pdo_torque_frame(node, link->controlword, permille(link, order));
+    return true;
+}
+
+bool tb_drive_link_acyclic(tb_drive_link *link, tb_can_frame *frame)
+{
+    return tb_setup_frame(&link->setup, &link->heartbeat, frame);
+}

@@ -1,0 +1,51 @@
+/* The connection to one drive: its messages in, its setpoints and set-up messages out. */
+#ifndef TB_DRIVE_LINK_H
+#define TB_DRIVE_LINK_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "can.h"
+#include "drive.h"
+#include "emcy.h"
+#include "nmt.h"
+#include "pdo.h"
+#include "setup.h"
+
+/** One drive on its bus. */
+typedef struct {
+    const tb_drive_table *drive;
+    tb_setup setup;
+    tb_heartbeat heartbeat;
+    tb_emcy emergency;
+    tb_pdo_status status;   /* of its last status message */
+    uint32_t duplicates;    /* status messages beyond one a SYNC; the last one counts */
+    uint16_t controlword;   /* sent last */
+    uint8_t power;          /* tb_power of the last status message */
+    uint8_t answered;       /* 1: a status message came since the last SYNC, late or not */
+    uint8_t fresh;          /* 1: one came in time in this cycle */
+    uint8_t missed;         /* SYNCs in a row without an answer */
+    uint8_t late;           /* answers in a row that came too late */
+    uint8_t homing_syncs;   /* SYNCs since homing was started; stops at 255 */
+} tb_drive_link;
+
+/** A drive that nothing is known of. */
+void tb_drive_link_start(tb_drive_link *link, const tb_drive_table *drive);
+
+/** Read a message from the drive. in_time: it can answer the SYNC of this cycle.
+ *  False: malformed, and ignored. */
+bool tb_drive_link_take(tb_drive_link *link, const tb_can_frame *frame, bool in_time);
+
+/** A cycle begins; is_synced: with a SYNC on the drive's bus. */
+void tb_drive_link_sync(tb_drive_link *link, bool is_synced);
+
+/** All messages of the cycle are read: count what is missing, go on with the task, report. */
+void tb_drive_link_report(tb_drive_link *link, bool is_synced, tb_drive_report *report);
+
+/** Setpoint for the next SYNC. False: the drive is not in service yet. */
+bool tb_drive_link_setpoint(tb_drive_link *link, const tb_drive_order *order, tb_can_frame *frame);
+
+/** Next frame of the drive's task. False: there is none. */
+bool tb_drive_link_acyclic(tb_drive_link *link, tb_can_frame *frame);
+
+#endif

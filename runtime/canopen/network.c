@@ -1,0 +1,229 @@
+#include "network.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "cob.h"
+#include "nmt.h"
+#include "sync.h"
+
+/* More than a bus carries in two cycles: a flood of frames cannot hold the loop. */
+#define MOST_FRAMES_AT_ONCE 64u
+
+static const tb_bus fresh_bus;
+
+static void count_up(uint8_t *count)
+{
+    *count = (*count < UINT8_MAX) ? (uint8_t)(*count + 1u) : *count;
+}
+
+void tb_network_start(tb_network *network, tb_can_port *const ports[TB_BUSES])
+{
+    network->cycle = 0;
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        network->buses[i] = fresh_bus;
+        network->buses[i].port = ports[i];
+    }
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        tb_drive_link_start(&network->links[i], &tb_drives[i]);
+    }
+}
+
+/* ---- Sending ---- */
+
+static bool is_usable(const tb_bus *bus)
+{
+    tb_can_state const state = tb_can_port_state(bus->port);
+    return (state != TB_CAN_BUS_OFF) && (state != TB_CAN_NOT_OPEN);
+}
+
+static void send(tb_bus *bus, const tb_can_frame *frame)
+{
+    if (tb_can_send(bus->port, frame) != TB_CAN_OK) {
+        count_up(&bus->refused);
+    }
+}
+
+/* ---- Receiving ---- */
+
+/* What only a master says. Whoever else says it is taken for the node that a master is. */
+static bool is_from_a_master(uint32_t id)
+{
+    static const uint32_t functions[] = {TB_COB_RPDO1, TB_COB_RPDO2, TB_COB_RPDO3, TB_COB_RPDO4,
+                                         TB_COB_SDO_REQUEST};
+    bool found = (id == TB_COB_NMT) || (id == TB_COB_SYNC) || (id == TB_COB_TIME);
+    for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
+        found = found || ((id & TB_COB_FUNCTION_MASK) == functions[i]);
+    }
+    return found;
+}
+
+static bool is_from_a_drive(uint32_t id)
+{
+    static const uint32_t functions[] = {TB_COB_EMCY,  TB_COB_TPDO1,      TB_COB_TPDO2,
+                                         TB_COB_TPDO3, TB_COB_TPDO4,      TB_COB_SDO_ANSWER,
+                                         TB_COB_ERROR_CONTROL};
+    bool found = false;
+    for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
+        found = found || ((id & TB_COB_FUNCTION_MASK) == functions[i]);
+    }
+    return found && ((id & TB_COB_NODE_MASK) != 0);
+}
+
+static tb_drive_link *find_link(tb_network *network, size_t bus, uint32_t node)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        if ((tb_drives[i].bus == bus) && (tb_drives[i].node == node)) {
+            return &network->links[i];
+        }
+    }
+    return NULL;
+}
+
+static void name_stranger(tb_bus *bus, uint32_t node)
+{
+    bus->stranger = (bus->stranger == 0) ? (uint8_t)node : bus->stranger;
+}
+
+static void route(tb_network *network, size_t index, const tb_can_frame *frame, bool in_time)
+{
+    tb_bus *const bus = &network->buses[index];
+    uint32_t const node = frame->id & TB_COB_NODE_MASK;
+    tb_drive_link *const link = find_link(network, index, node);
+    if ((frame->flags != 0) || (frame->id > TB_COB_LARGEST)) {
+        count_up(&bus->malformed);
+    } else if (is_from_a_master(frame->id)) {
+        name_stranger(bus, TB_MASTER_NODE);
+    } else if (!is_from_a_drive(frame->id)) {
+        count_up(&bus->malformed);
+    } else if (link == NULL) {
+        name_stranger(bus, node);
+    } else if (!tb_drive_link_take(link, frame, in_time)) {
+        count_up(&bus->malformed);
+    } else {
+        /* the drive's own affair */
+    }
+}
+
+static void drain(tb_network *network, size_t index, bool in_time)
+{
+    tb_can_frame frame;
+    for (size_t i = 0; i < MOST_FRAMES_AT_ONCE; i++) {
+        if (tb_can_receive(network->buses[index].port, &frame) != TB_CAN_OK) {
+            break;
+        }
+        route(network, index, &frame, in_time);
+    }
+}
+
+/* ---- SYNC ---- */
+
+static void sync_bus(tb_network *network, size_t index)
+{
+    tb_bus *const bus = &network->buses[index];
+    tb_can_frame const frame = tb_sync_frame();
+    bool const is_due = (network->cycle % tb_buses[index].divider) == 0;
+    bus->synced = (is_due && is_usable(bus)) ? 1 : 0;
+    if (bus->synced != 0) {
+        send(bus, &frame);
+    }
+}
+
+void tb_network_sync(tb_network *network)
+{
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        drain(network, i, false);
+        sync_bus(network, i);
+    }
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        tb_bus const *const bus = &network->buses[tb_drives[i].bus];
+        tb_drive_link_sync(&network->links[i], bus->synced != 0);
+    }
+}
+
+/* ---- Collect ---- */
+
+static void report_bus(tb_bus *bus, tb_bus_report *report)
+{
+    report->state = (uint8_t)tb_can_port_state(bus->port);
+    report->refused = bus->refused;
+    report->stranger = bus->stranger;
+    report->malformed = bus->malformed;
+    bus->refused = 0;
+    bus->stranger = 0;
+    bus->malformed = 0;
+}
+
+void tb_network_collect(tb_network *network, tb_observation *seen)
+{
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        drain(network, i, network->buses[i].synced != 0);
+        report_bus(&network->buses[i], &seen->buses[i]);
+    }
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        bool const is_synced = network->buses[tb_drives[i].bus].synced != 0;
+        tb_drive_link_report(&network->links[i], is_synced, &seen->drives[i]);
+    }
+}
+
+/* ---- Dispatch ---- */
+
+static void send_setpoints(tb_network *network, size_t index, const tb_orders *orders)
+{
+    tb_can_frame frame;
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        if ((tb_drives[i].bus == index) &&
+            tb_drive_link_setpoint(&network->links[i], &orders->drives[i], &frame)) {
+            send(&network->buses[index], &frame);
+        }
+    }
+}
+
+static void send_heartbeat(const tb_network *network, tb_bus *bus, const tb_orders *orders)
+{
+    tb_can_frame const frame = tb_heartbeat_frame(TB_MASTER_NODE, TB_NMT_OPERATIONAL);
+    if ((orders->beat != 0) && ((network->cycle % (uint32_t)TB_HEARTBEAT_CYCLES) == 0)) {
+        send(bus, &frame);
+    }
+}
+
+/* The drives of a bus take turns; the one after the last served comes first. */
+static void send_acyclic(tb_network *network, size_t index)
+{
+    tb_bus *const bus = &network->buses[index];
+    tb_can_frame frame;
+    for (size_t i = 1; i <= TB_DRIVES; i++) {
+        size_t const drive = (bus->served + i) % TB_DRIVES;
+        if ((tb_drives[drive].bus == index) &&
+            tb_drive_link_acyclic(&network->links[drive], &frame)) {
+            bus->served = (uint8_t)drive;
+            send(bus, &frame);
+            break;
+        }
+    }
+}
+
+static void dispatch_bus(tb_network *network, size_t index, const tb_orders *orders)
+{
+    tb_bus *const bus = &network->buses[index];
+    if (!is_usable(bus)) {
+        return;
+    }
+    if (bus->synced != 0) {
+        send_setpoints(network, index, orders);
+    }
+    send_heartbeat(network, bus, orders);
+    send_acyclic(network, index);
+}
+
+void tb_network_dispatch(tb_network *network, const tb_orders *orders)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        tb_drive_order const *const order = &orders->drives[i];
+        tb_setup_order(&network->links[i].setup, (tb_task)order->task, (tb_mode)order->mode);
+    }
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        dispatch_bus(network, i, orders);
+    }
+    network->cycle++;
+}

@@ -1,0 +1,75 @@
+"""The runtime's CANopen in Python, for tests: its functions, its structs, and frames."""
+
+import ctypes
+import os
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+from unittest import mock
+
+from c_structs import Declarations, declarations
+
+from codegen.compile import compile_library
+
+ROOT = Path(__file__).parents[1]
+MACHINE = ROOT / "generated" / "yoon2023"
+RUNTIME = ROOT / "runtime"
+FOLDERS = [MACHINE, RUNTIME / "core", RUNTIME / "can", RUNTIME / "canopen"]
+SOURCES = [
+    MACHINE / "tb_drives.c",
+    RUNTIME / "can" / "can.c",
+    RUNTIME / "can" / "loopback.c",
+    *(file for file in sorted((RUNTIME / "canopen").glob("*.c")) if file.stem != "master"),
+]
+
+
+class Frame(NamedTuple):
+    """A classic CAN frame."""
+
+    id: int
+    data: bytes
+
+
+class Canopen:
+    """The compiled library; an attribute is a C function, a struct or an enumerator."""
+
+    def __init__(self, precision: str = "double") -> None:
+        compiler = f"{os.environ.get('CC') or 'gcc'} -g"
+        with mock.patch.dict(os.environ, CC=compiler):
+            path = compile_library(SOURCES, FOLDERS, precision)
+        self._library = ctypes.CDLL(str(path))
+        self._declared: Declarations = declarations(path)
+
+    def __getattr__(self, name: str) -> Any:
+        for named in (self._declared.constants, self._declared.types):
+            if name in named:
+                return named[name]
+        function = getattr(self._library, name)
+        function.restype = self._declared.results[name]
+        return function
+
+    def new(self, name: str) -> Any:
+        """A struct, all zero."""
+        return self._declared.types[name]()
+
+    def frame(self, frame: Frame) -> Any:
+        """A frame for C."""
+        made = self.new("tb_can_frame")
+        made.id, made.length = frame.id, len(frame.data)
+        made.data[: len(frame.data)] = frame.data
+        return made
+
+    def text(self, name: str, code: int) -> str:
+        """What a function that names a code says."""
+        return ctypes.string_at(getattr(self, name)(code)).decode()
+
+
+def read(frame: Any) -> Frame:
+    """A frame of C."""
+    return Frame(frame.id, bytes(frame.data[: frame.length]))
+
+
+@cache
+def canopen_c(precision: str = "double") -> Canopen:
+    """The library, compiled and loaded once."""
+    return Canopen(precision)
