@@ -12,6 +12,8 @@
 /* A cable with less redundancy than this hardly shows in the closure: no delta is made of it. */
 #define LEAST_REDUNDANCY TB_C(0.01)
 
+#define FARTHEST TB_C(1e6) /* m; an error beyond it is no length, and its square is finite in float */
+
 static const tb_watch nothing;
 static const tb_verdict fine = {TB_CAUSE_NONE, 0};
 
@@ -92,20 +94,25 @@ static tb_verdict accuse(const tb_suspicion *suspicion, const real_t slack[])
     return verdict;
 }
 
+/* By how much the measured lengths miss those of the pose; false where there is no telling. */
+static bool find_error(const tb_watched *seen, real_t error[])
+{
+    bool known = tb_cable_lengths(seen->pose, seen->rails, error) == TB_OK;
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        error[i] = seen->lengths[i] - error[i];
+        known = known && is_within(error[i], FARTHEST);
+    }
+    return known;
+}
+
 static tb_verdict explain_closure(const tb_watched *seen, real_t slack[])
 {
     tb_pose_space space;
     real_t error[TB_CABLES];
-    real_t motion[TB_DOF];
     tb_suspicion suspicion = {0, 0, 0, 0};
-    tb_status status = tb_cable_lengths(seen->pose, seen->rails, error);
-    if (status == TB_OK) {
-        status = tb_pose_space_find(&space, seen->pose, seen->rails);
-    }
-    if (status == TB_OK) {
-        for (size_t i = 0; i < TB_CABLES; i++) {
-            error[i] = seen->lengths[i] - error[i];
-        }
+    if (find_error(seen, error) &&
+        (tb_pose_space_find(&space, seen->pose, seen->rails) == TB_OK)) {
+        real_t motion[TB_DOF];
         tb_pose_space_take(&space, error, motion);
         suspicion = compare_cables(&space, error, slack);
     }

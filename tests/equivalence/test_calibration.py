@@ -73,7 +73,7 @@ class Calibration(Part):
 
     @property
     def zeros(self) -> Doubles:
-        return self.memory["zeros"][0].astype(float)
+        return np.asarray(self.memory["zeros"][0], float)
 
 
 def zero(machine: Machine) -> Doubles:
