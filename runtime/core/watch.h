@@ -1,10 +1,16 @@
 /* Watch over the cables: what only the whole machine can see, not a single drive.
  *
  * The measured lengths overdetermine the pose; what they disagree by (the closure error e, square to
- * the columns of dl/dx) tells a cable that no longer is what its drive measures. With the projector
- * N on that space, a fault of size delta in cable i alone gives e = delta N_i, so the likeliest cable
- * leaves the least of e unexplained: delta_i = e_i / N_ii. delta > 0: the cable is longer than the
- * platform is far, slack. delta < 0: it was wound in without the platform, broken. */
+ * the pose space: pose_space.h) tells a cable that no longer is what its drive measures. With the
+ * projector N on what no pose explains, a fault of size delta in cable i alone gives e = delta N_i,
+ * so the likeliest cable leaves the least of e unexplained: delta_i = e_i / N_ii. delta > 0: the
+ * cable is longer than the platform is far, slack. delta < 0: it was wound in without the platform,
+ * broken.
+ *
+ * A cable is named only where it leaves at most a quarter of e and every other one more than half.
+ * With one cable more than degrees of freedom all cables explain e alike, and so do opposite cables
+ * that are in line, as those of bases that follow the hand: then the cause is TB_CAUSE_CLOSURE, and
+ * `slack` tells what each cable would have to have done. */
 #ifndef TB_WATCH_H
 #define TB_WATCH_H
 
@@ -17,14 +23,14 @@
 
 /** Cycles in a row beyond a limit. */
 typedef struct {
-    uint16_t open;             /* closure */
+    uint16_t open;                   /* closure */
     uint16_t lagging[TB_RAIL_SLOTS]; /* bases behind their targets */
 } tb_watch;
 
 /** What the watch found; TB_CAUSE_NONE for nothing. */
 typedef struct {
-    tb_cause cause;
-    uint16_t culprit; /* cable or drive, from 0 */
+    tb_cause cause;   /* RUNAWAY, CABLE_SLACK, CABLE_BREAK, CLOSURE or BASE_LOST */
+    uint16_t culprit; /* cable or drive, from 0; of CLOSURE the likeliest cable */
 } tb_verdict;
 
 /** What it looks at. */
@@ -39,7 +45,8 @@ typedef struct {
 
 void tb_watch_start(tb_watch *watch);
 
-/** Look at one cycle. slack [m] (TB_CABLES): delta of every cable, 0 while the closure holds. */
+/** Look at one cycle. A value that is not finite counts as beyond its limit.
+ *  slack [m] (TB_CABLES): delta of every cable, 0 while the closure holds; always finite. */
 tb_verdict tb_watch_cables(tb_watch *watch, const tb_watched *seen, real_t slack[TB_CABLES]);
 
 #endif

@@ -1,0 +1,82 @@
+"""Parts of runtime/core compiled for any machine, a bus or none: limits come from a stand-in."""
+
+import ctypes
+import hashlib
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from unmeasured import geometry, machine_named
+
+from codegen.bind import REALS, Generated, keep_text, pointer
+from codegen.compile import LIBRARIES, compile_library
+
+ROOT = Path(__file__).parents[2]
+CORE = ROOT / "runtime" / "core"
+SAMPLES = 24
+CLOSURE = 0.002
+"""Limit of the residual [m]."""
+
+#: What these parts take from tb_drives.h, for machines that have no drives in their file.
+LIMITS = f"""
+#ifndef TB_DRIVES_H
+#define TB_DRIVES_H
+#include "tb_types.h"
+#define TB_CALIBRATION_SAMPLES {SAMPLES}
+#define TB_CLOSURE_LIMIT TB_C({CLOSURE})
+#define TB_CLOSURE_CYCLES 5
+#define TB_CABLE_SPEED_LIMIT TB_C(5.0)
+#define TB_RAIL_LAG_LIMIT TB_C(0.05)
+#define TB_RAIL_LAG_CYCLES 200
+#endif
+"""
+
+
+class Part:
+    """A compiled part of the core with the memory that it works on."""
+
+    def __init__(
+        self, generated: Generated, sources: dict[str, str], memory: np.dtype[np.void]
+    ) -> None:
+        """Compile C files, each a name and a text, together with the machine's kinematics."""
+        texts = sources | {"tb_drives.h": LIMITS}
+        digest = hashlib.sha256(repr(texts).encode()).hexdigest()[:16]
+        folder = LIBRARIES.parent / "core" / digest
+        for name, text in texts.items():
+            keep_text(folder / name, text)
+        files = [folder / name for name in sources] + [generated.folder / "tb_kinematics.c"]
+        library = compile_library(files, [folder, generated.folder, CORE], generated.precision)
+        self.library = ctypes.CDLL(str(library))
+        self.memory: NDArray[np.void] = np.zeros(1, memory)
+
+    def call(self, name: str, *arrays: NDArray[np.generic]) -> int:
+        """A function of the part: its memory first, then the arrays."""
+        function = getattr(self.library, name)
+        return int(function(pointer(self.memory), *map(pointer, arrays)))
+
+
+@cache
+def kinematics_of(name: str, precision: str) -> Generated:
+    """The compiled kinematics of a machine: as committed, or made for the tests."""
+    folder = ROOT / "generated" / name
+    if not folder.exists():
+        folder = geometry(name).folder
+    return Generated(machine_named(name), folder, precision)
+
+
+def source(name: str) -> str:
+    """A C file of runtime/core."""
+    return (CORE / name).read_text()
+
+
+def slots(generated: Generated) -> int:
+    """TB_RAIL_SLOTS."""
+    return max(1, len(generated.machine.rails))
+
+
+def in_slots(generated: Generated, rails: NDArray[np.float64]) -> NDArray[np.floating]:
+    """Rail coordinates (..., m) in the slots that the C has for them."""
+    filled = np.zeros((*rails.shape[:-1], slots(generated)), REALS[generated.precision])
+    filled[..., : rails.shape[-1]] = rails
+    return filled
