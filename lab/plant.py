@@ -3,8 +3,8 @@
 Every strand (strand.py) gives its tension as T = pull - inertia lhat . a; what is left to solve
 is the handle, with the hand that holds it:  m a = push + sum of T lhat.
 
-A tension below zero is one that a real cable cannot carry: it would hang slack. The plant goes on
-with the negative value and shows it; nothing is clipped.
+Where that T would be negative the cable hangs slack instead, until it is needed in full again: then
+it takes hold with a jerk that handle, carriages and motors share.
 
 Plain Python numbers, not arrays: with four cables that is several times faster than NumPy.
 """
@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from math import ceil
 from typing import Protocol
 
-from lab.strand import Pair, strands
+from lab.strand import Pair, Strand, strands
 from model.machine import Machine, Plant
 
 LOWEST_RATE = 8000.0
@@ -61,8 +61,14 @@ class PlanarPlant:
 
     @property
     def lengths(self) -> list[float]:
-        """Cable lengths [m] (n)."""
-        return [strand.length for strand in self._strands]
+        """Cable lengths [m] (n) as the motors measure them; a slack cable is longer than the
+        distance it spans."""
+        return [strand.paid_out for strand in self._strands]
+
+    @property
+    def slack(self) -> list[float]:
+        """Cable [m] (n) that is paid out and not needed; of a broken one any value."""
+        return [strand.paid_out - strand.length for strand in self._strands]
 
     @property
     def rails(self) -> list[float]:
@@ -73,6 +79,10 @@ class PlanarPlant:
     def tensions(self) -> list[float]:
         """True cable tensions [N] (n)."""
         return [strand.tension for strand in self._strands]
+
+    def break_cable(self, cable: int) -> None:
+        """Cut a cable, counted from 0: its motor has nothing to pull from here on."""
+        self._strands[cable].break_()
 
     def advance(self, torques: Sequence[float], rail_forces: Sequence[float]) -> None:
         """Run one control cycle; torques [N m] (n) of the motors, rail_forces [N] (m)."""
@@ -89,15 +99,19 @@ class PlanarPlant:
             strand.look(self.position, self.velocity)
 
     def _accelerate(self, pulls: Sequence[float], drives: Sequence[float]) -> Pair:
-        """The handle's acceleration; carriages pushed past the end of their rail stay there."""
+        """The handle's acceleration; carriages pushed past the end of their rail stay there,
+        cables that would have to push hang slack."""
         push = self._holder.push(self.time, self.position, self.velocity)
         blocked: set[int] = set()
         while True:
             acceleration = self._solve(push, pulls, drives, blocked)
             stopped = {i for i, strand in enumerate(self._strands) if strand.is_pushed_off()}
-            if not stopped:
+            released = [strand for strand in self._strands if strand.tension < 0.0]
+            if not stopped and not released:
                 break
             blocked |= stopped
+            for strand in released:
+                strand.release()
         self._weigh(push, acceleration)
         return acceleration
 
@@ -105,18 +119,11 @@ class PlanarPlant:
         self, push: Pair, pulls: Sequence[float], drives: Sequence[float], blocked: set[int]
     ) -> Pair:
         fx, fy = push
-        mxx = myy = self._mass
-        mxy = 0.0
         for index, strand in enumerate(self._strands):
             strand.balance(pulls[index], drives[index], index in blocked)
-            (ux, uy), inertia, pull = strand.unit, strand.inertia, strand.pull
-            fx += ux * pull
-            fy += uy * pull
-            mxx += inertia * ux * ux
-            mxy += inertia * ux * uy
-            myy += inertia * uy * uy
-        determinant = mxx * myy - mxy * mxy
-        acceleration = (myy * fx - mxy * fy) / determinant, (mxx * fy - mxy * fx) / determinant
+            fx += strand.unit[0] * strand.pull
+            fy += strand.unit[1] * strand.pull
+        acceleration = self._divide_by_mass(fx, fy)
         for index, strand in enumerate(self._strands):
             strand.settle(acceleration, index in blocked)
         return acceleration
@@ -144,3 +151,33 @@ class PlanarPlant:
             strand.move(step)
         self.time += step
         self._look()
+        for strand in self._strands:
+            if strand.is_due:
+                self._take_hold(strand)
+                self._look()
+
+    def _take_hold(self, strand: Strand) -> None:
+        """Bring a slack cable and the distance it spans to one speed (inelastic impact)."""
+        ux, uy = strand.unit
+        gap_rate = strand.rate - strand.loose_rate
+        dx, dy = self._divide_by_mass(ux, uy)
+        impulse = max(0.0, gap_rate) / (strand.yielding() + ux * dx + uy * dy)
+        for other in self._strands:
+            if other.taut:
+                along = other.unit[0] * dx + other.unit[1] * dy
+                other.jerk(-other.inertia * along * impulse)
+        strand.jerk(impulse)
+        strand.taut = True
+        self.velocity = self.velocity[0] + dx * impulse, self.velocity[1] + dy * impulse
+
+    def _divide_by_mass(self, fx: float, fy: float) -> Pair:
+        """Acceleration from a force; the handle moves with the motors of all taut cables."""
+        mxx = myy = self._mass
+        mxy = 0.0
+        for strand in self._strands:
+            (ux, uy), inertia = strand.unit, strand.inertia
+            mxx += inertia * ux * ux
+            mxy += inertia * ux * uy
+            myy += inertia * uy * uy
+        determinant = mxx * myy - mxy * mxy
+        return (myy * fx - mxy * fy) / determinant, (mxx * fy - mxy * fx) / determinant

@@ -1,14 +1,18 @@
 """One cable of the plant: its motor, the cable itself, and its base on a rail or fixed.
 
-The cable is rigid and massless (Yoon III-E), so the motor turns exactly as the length l changes,
-and the tension T is the force of that constraint. With a the acceleration of the handle and w the
-velocity of the base relative to the handle:
+While it is taut the cable is rigid and massless (Yoon III-E), so the motor turns exactly as the
+distance l from handle to base changes, and the tension T is the force of that constraint. With a the
+acceleration of the handle and w the velocity of the base relative to the handle:
 
     r T = tau + (J l'' + B l') / r + dry friction              motor, tau > 0 pulls
     M s'' = f - friction - T lhat . e                          carriage on its rail
     l'' = lhat . e s'' - lhat . a + (|w|^2 - l'^2) / l         rigid cable
 
 These are linear in T and s''; eliminating s'' leaves T = pull - inertia lhat . a.
+
+A cable cannot push: where that T would be negative it hangs slack, T = 0, and the motor turns on
+its own. It takes hold again when all that was paid out is needed, with a jerk that leaves handle and
+motor at one speed. A broken cable never takes hold again.
 """
 
 from dataclasses import dataclass
@@ -65,13 +69,28 @@ class Strand:
     s: float = 0.0  # m
     speed: float = 0.0  # m/s, of the carriage
     acceleration: float = 0.0  # m/s^2, of the carriage
-    length: float = 0.0  # m
+    length: float = 0.0  # m, from the handle to the base
     unit: Pair = (0.0, 0.0)  # lhat, from the handle to the base
     rate: float = 0.0  # m/s, l'
     swing: float = 0.0  # m/s^2, (|w|^2 - l'^2) / l
     tension: float = 0.0  # N
     pull: float = 0.0  # N, tension while the handle does not accelerate
     inertia: float = 0.0  # kg
+    taut: bool = True
+    broken: bool = False
+    loose_length: float = 0.0  # m, paid out; these three only while the cable is not taut
+    loose_rate: float = 0.0  # m/s
+    loose_acceleration: float = 0.0  # m/s^2
+
+    @property
+    def paid_out(self) -> float:
+        """Cable between drum and handle [m], as the motor measures it."""
+        return self.length if self.taut else self.loose_length
+
+    @property
+    def is_due(self) -> bool:
+        """Whether a slack cable is needed in full: it takes hold now."""
+        return not self.taut and not self.broken and self.length >= self.loose_length
 
     def look(self, position: Pair, velocity: Pair) -> None:
         """Find length, direction and rate, from the handle's position [m] and velocity [m/s]."""
@@ -88,11 +107,16 @@ class Strand:
         mobility = 0.0 if blocked else self.rail.mobility
         along = self._along_rail()
         free = mobility * (rail_force - self.carriage_friction.force(self.speed))
+        self.acceleration = free
+        if not self.taut:
+            self.pull = self.inertia = 0.0
+            resisted = motor_pull + self.motor_friction.force(self.loose_rate)
+            self.loose_acceleration = -resisted / self.motor_mass
+            return
         self.inertia = self.motor_mass / (1.0 + self.motor_mass * along * along * mobility)
         held = motor_pull + self.motor_friction.force(self.rate)
         share = self.inertia / self.motor_mass
         self.pull = share * held + self.inertia * (along * free + self.swing)
-        self.acceleration = free
 
     def settle(self, acceleration: Pair, blocked: bool) -> None:
         """Find tension and carriage acceleration from the handle's acceleration [m/s^2]."""
@@ -105,11 +129,41 @@ class Strand:
         """Move carriage and motor for `step` seconds; the rail's ends stop it dead."""
         self.speed += self.acceleration * step
         self.s += self.speed * step
-        self.motor_friction.slide(self.rate * step)
+        self._turn_motor(step)
         self.carriage_friction.slide(self.speed * step)
         if not 0.0 <= self.s <= self.rail.length:
             self.s = min(max(self.s, 0.0), self.rail.length)
             self.speed = 0.0
+
+    def release(self) -> None:
+        """Let the cable hang slack from here on."""
+        self.taut = False
+        self.loose_length, self.loose_rate = self.length, self.rate
+        self.tension = 0.0
+
+    def break_(self) -> None:
+        """Cut the cable."""
+        if self.taut:
+            self.release()
+        self.broken = True
+
+    def yielding(self) -> float:
+        """Speed [m/s] that a jerk of 1 N s takes from the gap between cable and distance, the
+        handle held: what carriage and motor give."""
+        along = self._along_rail()
+        return 1.0 / self.motor_mass + along * along * self.rail.mobility
+
+    def jerk(self, impulse: float) -> None:
+        """Let an impulse [N s] of the cable's tension act on the carriage."""
+        self.speed -= self.rail.mobility * self._along_rail() * impulse
+
+    def _turn_motor(self, step: float) -> None:
+        if self.taut:
+            self.motor_friction.slide(self.rate * step)
+            return
+        self.loose_rate += self.loose_acceleration * step
+        self.loose_length += self.loose_rate * step
+        self.motor_friction.slide(self.loose_rate * step)
 
     def is_pushed_off(self) -> bool:
         """Whether the carriage stands at an end of its rail and is pushed past it."""

@@ -100,14 +100,51 @@ def test_work_becomes_kinetic_energy_when_there_is_no_friction(
     assert kinetic == pytest.approx(work, rel=0.01)
 
 
-def test_a_cable_that_would_have_to_push_shows_a_negative_tension(
+def test_a_cable_that_would_have_to_push_hangs_slack_and_takes_hold_again(
     machine: Machine, plant: Plant
 ) -> None:
     world = PlanarPlant(machine, plant, Push((20.0, 0.0)), CENTRE, [*CENTRE, *CENTRE])
     for _ in range(20):
         world.advance([0.0] * 4, [0.0] * 4)
-    assert world.lowest_tension < -1.0
-    assert world.lowest_tension <= min(world.tensions)
+    assert world.tensions[1] == 0.0 and world.lowest_tension == 0.0
+    assert world.slack[1] > 1e-3 and world.slack[3] == 0.0
+    for _ in range(60):
+        world.advance([0.05] * 4, [0.0] * 4)
+    assert world.slack[1] == 0.0 and world.tensions[1] > 1.0
+
+
+def test_the_jerk_of_a_cable_that_takes_hold_keeps_the_momentum(
+    machine: Machine, frictionless: Plant
+) -> None:
+    # Motor 2 pays cable out, then winds it in until it takes hold of the handle at rest.
+    world = PlanarPlant(machine, frictionless, Push((0.0, 0.0)), CENTRE, [*CENTRE, *CENTRE])
+    world.break_cable(3)
+    for _ in range(10):
+        world.advance([0.0, -0.01, 0.0, 0.0], [0.0] * 4)
+    assert world.slack[1] > 0.0 and world.velocity[0] == 0.0
+    impulse = -0.01 * 10
+    while world.slack[1] > 0.0:
+        world.advance([0.0, 0.05, 0.0, 0.0], [0.0] * 4)
+        impulse += 0.05
+    impulse *= 1.0 / (machine.drum.radius * machine.control.rate)
+    winding = machine.cable_motor.inertia / machine.drum.radius**2
+    together = impulse / (winding + frictionless.handle_mass)
+    assert world.velocity[0] == pytest.approx(together, rel=1e-6) and together > 0.2
+
+
+def test_a_broken_cable_leaves_its_motor_free_and_the_others_as_they_are(
+    machine: Machine, plant: Plant
+) -> None:
+    world = PlanarPlant(machine, plant, Hand(plant, Path(CENTRE, 1.0)), CENTRE, [*CENTRE, *CENTRE])
+    for _ in range(50):
+        world.advance([0.02] * 4, [0.0] * 4)
+    whole = world.lengths[0]
+    world.break_cable(0)
+    for _ in range(50):
+        world.advance([0.02] * 4, [0.0] * 4)
+    assert world.tensions[0] == 0.0 and min(world.tensions[1:]) > 2.0
+    assert world.lengths[0] < whole - 0.02
+    assert world.slack[1:] == [0.0] * 3
 
 
 def test_a_carriage_stops_at_the_end_of_its_rail_and_comes_back(
