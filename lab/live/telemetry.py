@@ -6,7 +6,6 @@ Neither side waits for the other: what is read while it was being written is rea
 import fcntl
 import mmap
 import os
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -59,6 +58,7 @@ DRIVE = np.dtype(
 
 BUS = np.dtype(
     [
+        ("bits", "<u8"),
         *((name, "<u4") for name in ("state", "sent", "received", "refused", "lost", "malformed")),
         *((name, "<u4") for name in ("bus_errors", "bus_off", "bit_rate", "divider")),
     ]
@@ -311,8 +311,20 @@ def foreign(path: Path, what: str) -> LiveError:
     return LiveError(f"{path}: found {what}; allowed: telemetry of a turnbuckle program")
 
 
-def rates(earlier: Record, later: Record, seconds: float) -> Sequence[float]:
-    """Frames a second of every bus between two readings of the status."""
-    frames = [int(bus["sent"]) + int(bus["received"]) for bus in later["buses"]]
-    before = [int(bus["sent"]) + int(bus["received"]) for bus in earlier["buses"]]
-    return [(new - old) / seconds for new, old in zip(frames, before, strict=True)]
+class Rate(NamedTuple):
+    """What goes over a bus."""
+
+    frames: float  # a second
+    load: float  # share of the bit rate, stuff bits not counted
+
+
+def rates(earlier: Record, later: Record, seconds: float) -> list[Rate]:
+    """What went over every bus between two readings of the status."""
+    found = []
+    for before, after in zip(earlier["buses"], later["buses"], strict=True):
+        frames, bits = (
+            sum(int(after[count]) - int(before[count]) for count in counts) / seconds
+            for counts in (("sent", "received"), ("bits",))
+        )
+        found.append(Rate(frames, bits / int(after["bit_rate"])))
+    return found

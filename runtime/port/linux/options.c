@@ -174,8 +174,8 @@ static bool has_every_bus(const tb_options *options)
     for (size_t i = 1; i < TB_BUSES; i++) {
         for (size_t k = 0; k < i; k++) {
             if (strcmp(options->buses[i].device, options->buses[k].device) == 0) {
-                tb_say("--bus: %s and %s cannot both be on %s", tb_buses[k].name, tb_buses[i].name,
-                       options->buses[i].device);
+                tb_say("--bus: %s and %s are both on %s; allowed: a device of its own for each bus",
+                       tb_buses[k].name, tb_buses[i].name, options->buses[i].device);
                 return false;
             }
         }

@@ -69,6 +69,7 @@ static tb_telemetry_bus count_bus(tb_can_port *port, const tb_bus_table *bus)
 {
     const tb_can_statistics *const counted = &port->statistics;
     return (tb_telemetry_bus){
+        .bits = counted->bits,
         .state = (uint32_t)tb_can_port_state(port),
         .sent = counted->sent,
         .received = counted->received,

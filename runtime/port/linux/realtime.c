@@ -25,7 +25,7 @@ static void touch_stack(void)
 static bool take_priority(int priority)
 {
     struct sched_param const parameters = {.sched_priority = priority};
-    return (priority == 0) || (sched_setscheduler(0, SCHED_FIFO, &parameters) == 0);
+    return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
 }
 
 static bool take_processor(int cpu)
@@ -44,20 +44,27 @@ static bool take_processor(int cpu)
     return true;
 }
 
+static void say_what_is_missing(bool first, bool locked, int priority)
+{
+    tb_say("notice: without %s%s%s cycles may come late. The unit turnbuckle@.service has the rights; "
+           "for a user, put \"USER - rtprio %d\" and \"USER - memlock unlimited\" into "
+           "/etc/security/limits.d/turnbuckle.conf and log in again; --priority 0 does without",
+           first ? "" : "real-time priority (SCHED_FIFO)", (first || locked) ? "" : " and ",
+           locked ? "" : "locked memory", priority);
+}
+
 bool tb_realtime_enter(const tb_options *options)
 {
     if (!take_processor(options->cpu)) {
         return false;
     }
-    bool const locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-    bool const first = take_priority(options->priority);
-    touch_stack();
-    if (!locked || !first) {
-        tb_say("notice: without %s%s%s cycles may come late. The unit turnbuckle@.service has the "
-               "rights; for a user, put \"USER - rtprio %d\" and \"USER - memlock unlimited\" "
-               "into /etc/security/limits.d/turnbuckle.conf and log in again",
-               first ? "" : "real-time priority (SCHED_FIFO)", (first || locked) ? "" : " and ",
-               locked ? "" : "locked memory", (options->priority > 0) ? options->priority : 80);
+    if (options->priority > 0) {
+        bool const locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+        bool const first = take_priority(options->priority);
+        if (!locked || !first) {
+            say_what_is_missing(first, locked, options->priority);
+        }
     }
+    touch_stack();
     return true;
 }

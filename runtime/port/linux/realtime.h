@@ -6,8 +6,9 @@
 
 #include "options.h"
 
-/** Lock the memory, touch the stack, take the processor and the priority. What is not permitted is
- *  told in one notice, and the program goes on without; false for a processor that does not exist. */
+/** Take the processor, the priority and the memory for good; with --priority 0 only the processor.
+ *  What is not permitted is told in one notice, and the program goes on without; false, with a
+ *  message, for a processor that does not exist. */
 bool tb_realtime_enter(const tb_options *options);
 
 #endif

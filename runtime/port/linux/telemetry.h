@@ -72,6 +72,7 @@ typedef struct {
 
 /** A bus. */
 typedef struct {
+    uint64_t bits;  /* sent and received, stuff bits not counted */
     uint32_t state; /* tb_can_state */
     uint32_t sent;
     uint32_t received;
