@@ -23,6 +23,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from lab.live import command_line as live
+
 if TYPE_CHECKING:
     from codegen.verify import Report, Row
     from lab.design.design import Design
@@ -677,9 +679,10 @@ def refusals() -> tuple[type[Exception], ...]:
     from codegen.folder import FolderError
     from codegen.generate import GenerateError
     from lab.design import DesignError
+    from lab.live import LiveError
     from model.machine import MachineError
 
-    return MachineError, GenerateError, FolderError, CompileError, DesignError
+    return MachineError, GenerateError, FolderError, CompileError, DesignError, LiveError
 
 
 def fail(message: str, status: int = CANNOT) -> NoReturn:
@@ -692,6 +695,9 @@ def complain(message: str) -> None:
     """One message on stderr."""
     typer.echo(f"turnbuckle: {message}", err=True)
 
+
+for command in (live.run, live.monitor):
+    app.command()(errors_in_words()(command))
 
 if __name__ == "__main__":
     main()

@@ -1,4 +1,4 @@
-"""Compiles C into a shared library, once for the same sources and flags."""
+"""Compiles C into a shared library or a program, once for the same sources and flags."""
 
 import hashlib
 import os
@@ -41,17 +41,35 @@ def compile_library(
 
     Raises CompileError with the compiler's words, ValueError for an unknown precision.
     """
+    return compiled(sources, include, precision, ("-shared", "-fPIC"), ".so")
+
+
+def compile_program(
+    sources: Sequence[Path], include: Sequence[Path], precision: str = "double"
+) -> Path:
+    """Executable of some C files, one of which has main(); otherwise as compile_library."""
+    return compiled(sources, include, precision, (), "")
+
+
+def compiled(
+    sources: Sequence[Path],
+    include: Sequence[Path],
+    precision: str,
+    kind: Sequence[str],
+    suffix: str,
+) -> Path:
+    """What the compiler makes of the sources; made before, it is not made again."""
     if precision not in PRECISIONS:
         raise ValueError(f"precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
     compiler, *extra = shlex.split(os.environ.get("CC") or "gcc")
     own = () if "clang" in compiler else GCC_FLAGS
-    flags = [*extra, *FLAGS, *own, *PRECISIONS[precision], "-shared", "-fPIC"]
-    library = LIBRARIES / f"{key(sources, include, [compiler, *flags])}.so"
-    if not library.exists():
-        library.parent.mkdir(parents=True, exist_ok=True)
+    flags = [*extra, *FLAGS, *own, *PRECISIONS[precision], *kind]
+    product = LIBRARIES / f"{key(sources, include, [compiler, *flags])}{suffix}"
+    if not product.exists():
+        product.parent.mkdir(parents=True, exist_ok=True)
         arguments = [*flags, *(f"-I{folder}" for folder in include), *map(str, sources)]
-        run(compiler, arguments, library)
-    return library
+        run(compiler, arguments, product)
+    return product
 
 
 def key(sources: Sequence[Path], include: Sequence[Path], flags: Sequence[str]) -> str:
@@ -63,9 +81,9 @@ def key(sources: Sequence[Path], include: Sequence[Path], flags: Sequence[str]) 
     return digest.hexdigest()[:32]
 
 
-def run(compiler: str, arguments: Sequence[str], library: Path) -> None:
+def run(compiler: str, arguments: Sequence[str], product: Path) -> None:
     """Compile next to the target, then move it there: no one ever loads half a library."""
-    handle, name = tempfile.mkstemp(suffix=".so", dir=library.parent)
+    handle, name = tempfile.mkstemp(suffix=product.suffix, dir=product.parent)
     os.close(handle)
     try:
         done = subprocess.run(
@@ -73,7 +91,8 @@ def run(compiler: str, arguments: Sequence[str], library: Path) -> None:
         )
         if done.returncode:
             raise CompileError(f"{compiler} failed:\n{done.stderr.strip()}")
-        os.replace(name, library)
+        os.chmod(name, 0o755)
+        os.replace(name, product)
     except FileNotFoundError:
         raise CompileError(f"the C compiler {compiler!r} is not installed") from None
     finally:

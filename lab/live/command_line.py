@@ -1,0 +1,183 @@
+"""The commands `run` and `monitor`: what they take, what they print."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+if TYPE_CHECKING:
+    from lab.live.telemetry import Request
+
+Telemetry = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE",
+        help="The program's shared file.  [default: /dev/shm/turnbuckle-<name>]",
+        show_default=False,
+    ),
+]
+DEFAULT_SIM_PACE = 10
+"""How many times slower than real time the drives written in Python keep up."""
+
+
+def run(
+    file: Annotated[Path, typer.Argument(help="The machine file.", show_default=False)],
+    bus: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=ADAPTER:DEVICE",
+            help="How a bus is reached, such as cable1=slcan:/dev/ttyACM0 or base=socketcan:can0."
+            " Once for every bus.",
+            show_default=False,
+        ),
+    ] = None,
+    sim: Annotated[bool, typer.Option("--sim", help="Run against simulated drives.")] = False,
+    pace: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            min=1,
+            max=1000,
+            help="Stretch time N times; only with --sim.  [default: 10]",
+            show_default=False,
+        ),
+    ] = None,
+    arm: Annotated[
+        bool, typer.Option("--arm", help="Arm as soon as every drive is configured.")
+    ] = False,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            metavar="S",
+            help="Stop after S seconds of the machine's time.",
+            show_default=False,
+        ),
+    ] = None,
+    record: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Write the flight recorder to FILE at the end.",
+            show_default=False,
+        ),
+    ] = None,
+    telemetry: Telemetry = None,
+    program: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="A program compiled before; refused if it is another machine's."
+            "  [default: compile one]",
+            show_default=False,
+        ),
+    ] = None,
+    precision: Annotated[
+        Literal["double", "float"], typer.Option(help="Of the compiled program.")
+    ] = "double",
+    priority: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            min=0,
+            max=99,
+            help="Real-time priority; 0 for none.  [default: 80, or 0 with --sim]",
+            show_default=False,
+        ),
+    ] = None,
+    cpu: Annotated[
+        int | None,
+        typer.Option(metavar="N", min=0, help="Run on processor N alone.", show_default=False),
+    ] = None,
+) -> None:
+    """Run a machine's program on its drives, or on simulated ones.
+
+    Compiles the program and brings the machine up: drives identified and
+    configured, then, armed, bases homed, cables measured and tightened. The
+    states are told as they change; `turnbuckle monitor` shows more.
+
+    Ctrl-C stops softly. Exit status: 0 stopped as asked, 1 stopped by a fault.
+
+    \b
+    Example:
+      turnbuckle run machines/yoon2023.toml --sim --arm --seconds 30
+      turnbuckle run machines/yoon2023.toml --bus cable1=slcan:/dev/ttyACM0 \\
+        --bus cable2=slcan:/dev/ttyACM1 --bus base=socketcan:can0
+    """
+    from lab.live.run import Order, run_machine
+    from model.machine import load_machine
+
+    refuse_contradictions(sim, bus, pace, seconds)
+    machine = load_machine(file)
+    further = [f"--cpu={cpu}"] if cpu is not None else []
+    if sim or priority is not None:
+        further.append(f"--priority={priority or 0}")
+    order = Order(
+        buses=bus or (),
+        simulated=sim,
+        pace=pace or (DEFAULT_SIM_PACE if sim else 1),
+        arm=arm,
+        seconds=seconds,
+        record=record,
+        telemetry=telemetry,
+        program=program,
+        precision=precision,
+        further=further,
+    )
+    status = run_machine(machine, order, typer.echo)
+    if status:
+        raise typer.Exit(status)
+
+
+def refuse_contradictions(
+    sim: bool, bus: list[str] | None, pace: int | None, seconds: float | None
+) -> None:
+    """Options that do not go together."""
+    if sim and bus:
+        raise typer.BadParameter("--bus is for real adapters, --sim for simulated drives")
+    if pace is not None and not sim:
+        raise typer.BadParameter("--pace stretches time: real drives do not; only with --sim")
+    if seconds is not None and not 0 < seconds < 1e9:
+        raise typer.BadParameter("--seconds: a positive number of seconds is due")
+
+
+def monitor(
+    machine: Annotated[
+        str,
+        typer.Argument(
+            metavar="FILE|NAME", help="The machine file, or the machine's name.", show_default=False
+        ),
+    ],
+    once: Annotated[bool, typer.Option("--once", help="Print one picture and end.")] = False,
+    arm: Annotated[bool, typer.Option("--arm", help="Ask the program to arm.")] = False,
+    stop: Annotated[bool, typer.Option("--stop", help="Ask for a soft stop.")] = False,
+    reset: Annotated[
+        bool, typer.Option("--reset", help="Ask it to leave the fault state.")
+    ] = False,
+    telemetry: Telemetry = None,
+) -> None:
+    """Watch a running machine: state, pose, tensions, drives, buses, timing.
+
+    With a machine file the program must be that machine's, and a planar
+    machine is drawn. A request (--arm, --stop, --reset) is sent, and the
+    command ends; in the living picture the keys a, s and r send them.
+
+    \b
+    Example:
+      turnbuckle monitor machines/yoon2023.toml
+      turnbuckle monitor yoon2023 --once
+    """
+    from rich.console import Console
+
+    from lab.live.monitor import open_subject, print_once, request, watch
+
+    shared, known = open_subject(machine, telemetry)
+    wishes: dict[Request, bool] = {"arm": arm, "stop": stop, "reset": reset}
+    asked = [name for name, wanted in wishes.items() if wanted]
+    for name in asked:
+        request(shared, name)
+    if once:
+        print_once(shared, known, Console())
+    elif not asked:
+        watch(shared, known, Console())

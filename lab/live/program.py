@@ -1,0 +1,31 @@
+"""The executable of a machine: generated C, runtime and Linux port, compiled together."""
+
+from pathlib import Path
+
+from codegen.bind import generate_into_build
+from codegen.compile import compile_program
+from lab.live import LiveError
+from model.machine import Machine
+
+RUNTIME = Path(__file__).parents[2] / "runtime"
+FOLDERS = tuple(RUNTIME / name for name in ("core", "canopen", "can", "port/linux"))
+
+
+def build_program(machine: Machine, precision: str = "double") -> Path:
+    """The machine's executable, in the cache of compiled C.
+
+    Raises LiveError for a machine without buses, CompileError without a working C compiler.
+    """
+    folder = generate_into_build(machine)
+    if not (folder / "tb_drives.c").exists():
+        raise LiveError(
+            f"{machine.path}: bus: found none; allowed: at least one [[bus]] and a [[drive]] for"
+            " every cable and rail, to run the machine"
+        )
+    return compile_machine(folder, precision)
+
+
+def compile_machine(folder: Path, precision: str = "double") -> Path:
+    """The executable around a machine's generated folder."""
+    sources = [path for each in (folder, *FOLDERS) for path in sorted(each.glob("*.c"))]
+    return compile_program(sources, [folder, *FOLDERS], precision)

@@ -1,0 +1,157 @@
+"""Runs a machine's program, with real adapters or with simulated drives, and tells what it does."""
+
+import ctypes
+import signal
+import subprocess
+import time
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from lab.live import LiveError
+from lab.live.identity import refuse_other
+from lab.live.program import build_program
+from lab.live.telemetry import Record, Telemetry, default_path
+from lab.live.words import STATES, word
+from model.machine import Machine
+
+POLL = 0.05
+"""Seconds between two looks at the telemetry."""
+Say = Callable[[str], None]
+SET_DEATH_SIGNAL = 1
+"""PR_SET_PDEATHSIG of prctl(2)"""
+
+
+@dataclass(frozen=True)
+class Order:
+    """What the user wants of a run."""
+
+    buses: Sequence[str] = ()
+    """NAME=ADAPTER:DEVICE, as the program takes them."""
+    simulated: bool = False
+    pace: int = 1
+    arm: bool = False
+    seconds: float | None = None
+    record: Path | None = None
+    telemetry: Path | None = None
+    program: Path | None = None
+    precision: str = "double"
+    further: Sequence[str] = field(default_factory=tuple)
+    """Options that are handed to the program as they are."""
+
+
+def run_machine(machine: Machine, order: Order, say: Say) -> int:
+    """Run the program until it ends; its exit status: 0 stopped as asked, 1 by a fault.
+
+    Ctrl-C stops the machine softly, once more at once. Raises LiveError for what cannot be run.
+    """
+    if order.program is None:
+        program = build_program(machine, order.precision)
+    else:
+        program = order.program.resolve()
+        refuse_other(program, machine)
+    with ExitStack() as stack:
+        buses = order.buses
+        if order.simulated:
+            from lab.live.simulated import simulated_drives
+
+            buses = stack.enter_context(simulated_drives(machine, order.pace))
+        process = start(program, arguments(machine, order, buses))
+        stack.callback(finish, process)
+        return follow(process, order.telemetry or default_path(machine.name), say)
+
+
+def arguments(machine: Machine, order: Order, buses: Sequence[str]) -> list[str]:
+    """The command line of the program."""
+    words = [f"--bus={bus}" for bus in buses]
+    if order.arm:
+        words.append("--arm")
+    if order.pace != 1:
+        words.append(f"--pace={order.pace}")
+    if order.seconds is not None:
+        words.append(f"--cycles={max(1, round(order.seconds * machine.control.rate))}")
+    if order.record is not None:
+        words.append(f"--record={order.record}")
+    if order.telemetry is not None:
+        words.append(f"--telemetry={order.telemetry}")
+    return [*words, *order.further]
+
+
+def start(program: Path, words: Sequence[str]) -> "subprocess.Popen[bytes]":
+    """Start the program out of reach of the terminal's Ctrl-C, which is handed on once instead.
+
+    When this process dies, the program stops softly: nobody would watch it any more.
+    """
+    libc = ctypes.CDLL(None)
+
+    def stop_with_parent() -> None:
+        libc.prctl(SET_DEATH_SIGNAL, signal.SIGTERM)
+
+    return subprocess.Popen(
+        [program, *words], process_group=0, preexec_fn=stop_with_parent, stdin=subprocess.DEVNULL
+    )
+
+
+def finish(process: "subprocess.Popen[bytes]") -> None:
+    """Leave no program behind, whatever went wrong here."""
+    if process.poll() is None:
+        process.send_signal(signal.SIGTERM)
+        process.wait()
+
+
+def follow(process: "subprocess.Popen[bytes]", path: Path, say: Say) -> int:
+    """Tell states as they change until the program ends; its exit status."""
+    teller = Teller(process.pid, path, say)
+    while (status := process.poll()) is None:
+        try:
+            teller.look()
+            time.sleep(POLL)
+        except KeyboardInterrupt:
+            say("stopping; once more stops at once")
+            process.send_signal(signal.SIGINT)
+    teller.look()
+    if status < 0:
+        raise LiveError(f"the program was ended by {signal.Signals(-status).name}")
+    return status
+
+
+class Teller:
+    """Tells the states of one program as they change."""
+
+    def __init__(self, pid: int, path: Path, say: Say) -> None:
+        self._pid, self._path, self._say = pid, path, say
+        self._telemetry: Telemetry | None = None
+        self._next = 0
+        self._told: str | None = None
+
+    def look(self) -> None:
+        """Read all cycles since the last look."""
+        if self._telemetry is None and not self._open():
+            return
+        assert self._telemetry is not None
+        published = int(self._telemetry.status()["published"])
+        for number in range(max(self._next, published - 2048), published):
+            if (cycle := self._telemetry.cycle(number)) is not None:
+                self._tell(cycle)
+        self._next = published
+
+    def _open(self) -> bool:
+        """Open the telemetry once it is that of our program, not of one before it."""
+        try:
+            telemetry = Telemetry(self._path)
+        except LiveError:
+            return False
+        if telemetry.counts["pid"] != self._pid:
+            telemetry.close()
+            return False
+        self._telemetry = telemetry
+        return True
+
+    def _tell(self, cycle: Record) -> None:
+        state = word(STATES, int(cycle["state"]))
+        if state != self._told:
+            assert self._telemetry is not None
+            seconds = float(self._telemetry.counts["period"]) * int(cycle["number"])
+            self._say(f"{seconds:9.3f} s  {state}")
+            self._told = state

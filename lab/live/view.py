@@ -1,0 +1,209 @@
+"""What the monitor shows: one reading of the telemetry as text."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from rich.columns import Columns
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from lab.live.plane import draw_plane, has_plane
+from lab.live.telemetry import Record, Telemetry, rates
+from lab.live.words import BUS_STATES, MODES, POWERS, STATES, TASKS, word
+from model.machine import Machine
+
+BAR = 20
+"""Characters of a bar."""
+LOCATED = {STATES.index(name) for name in ("TENSION", "RUN", "SOFT_STOP", "HARD_STOP")}
+"""States in which the controller knows the pose."""
+STYLES = {"RUN": "bold green", "FAULT": "bold red", "HARD_STOP": "bold red", "SOFT_STOP": "yellow"}
+US, MM = 1e3, 1e3  # ns in us, mm in m
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What was read `at` one moment [s]; `before` is the status some `seconds` earlier."""
+
+    ended: bool
+    cycle: Record | None
+    status: Record
+    before: Record
+    at: float
+    seconds: float
+
+
+def show(telemetry: Telemetry, reading: Reading, machine: Machine | None) -> RenderableType:
+    """Everything, for a terminal."""
+    parts: list[RenderableType] = [headline(telemetry, reading)]
+    if reading.cycle is not None:
+        parts.append(body(telemetry, reading.cycle, machine))
+    parts.append(buses(telemetry, reading))
+    parts.append(times(telemetry, reading.status))
+    return Group(*parts)
+
+
+def headline(telemetry: Telemetry, reading: Reading) -> Text:
+    """Machine, state and, where it stopped, why."""
+    text = Text(f"{telemetry.machine} {telemetry.hash}", style="bold")
+    text.append(f"  program {telemetry.counts['pid']}", style="dim")
+    if telemetry.counts["pace"] > 1:
+        text.append(f"  {telemetry.counts['pace']} times slower than real time", style="dim")
+    if reading.ended:
+        text.append("\nthe program has ended: this is its last cycle", style="bold red")
+    cycle = reading.cycle
+    if cycle is None:
+        text.append("\nno cycle yet")
+        return text
+    state = word(STATES, int(cycle["state"]))
+    text.append("\n")
+    text.append(state, style=STYLES.get(state, "bold cyan"))
+    text.append(f"  phase {cycle['phase']}")
+    text.append(f"  cycle {cycle['number']}")
+    if cause := reading.status["cause"].decode(errors="replace"):
+        text.append(f"\n{cause}", style="red" if state == "FAULT" else "yellow")
+    return text
+
+
+def body(telemetry: Telemetry, cycle: Record, machine: Machine | None) -> RenderableType:
+    """Pose, cables and drives; beside them the picture, where there is one."""
+    numbers = Group(pose(cycle), cables(telemetry, cycle), drives(telemetry, cycle))
+    if machine is None or not has_plane(machine):
+        return numbers
+    located = int(cycle["state"]) in LOCATED
+    first = int(telemetry.counts["cables"])
+    rails = cycle["drives"]["position"][first : first + len(machine.rails)]
+    return Columns([numbers, draw_plane(machine, cycle["pose"] if located else None, rails)])
+
+
+def pose(cycle: Record) -> Text:
+    """Where the handle is and what it feels."""
+    if int(cycle["state"]) not in LOCATED:
+        return Text("pose          not known in this state", style="dim")
+    lines = (
+        ("pose", cycle["pose"] * MM, "mm"),
+        ("velocity", cycle["velocity"] * MM, "mm/s"),
+        ("wanted", cycle["wanted_force"], "N"),
+        ("delivered", cycle["delivered_force"], "N"),
+        ("closure", [cycle["residual"] * MM], "mm"),
+    )
+    return Text("\n".join(f"{name:12}  {vector(values)} {unit}" for name, values, unit in lines))
+
+
+def vector(values: Sequence[float]) -> str:
+    """Numbers in columns."""
+    return " ".join(f"{value:9.3f}" for value in values)
+
+
+def cables(telemetry: Telemetry, cycle: Record) -> Table:
+    """Tensions between their bounds."""
+    low, high = (float(telemetry.counts[f"tension_{end}"]) for end in ("min", "max"))
+    table = plain("cable", "tension", f"{low:g} to {high:g} N", "slack")
+    for i, tension in enumerate(cycle["tension"]):
+        share = (float(tension) - low) / (high - low) if high > low else 0.0
+        slack = f"{cycle['slack'][i] * MM:.2f} mm" if cycle["slack"][i] else ""
+        table.add_row(telemetry.drive_names[i], f"{tension:.2f} N", bar(share), slack)
+    return table
+
+
+def drives(telemetry: Telemetry, cycle: Record) -> Table:
+    """What every drive reports, what it is ordered."""
+    table = plain("drive", "power", "mode", "position", "torque", "ordered", "status", "remarks")
+    for name, drive in zip(telemetry.drive_names, cycle["drives"], strict=True):
+        table.add_row(
+            name,
+            word(POWERS, int(drive["power"])),
+            word(MODES, int(drive["mode"])),
+            f"{drive['position'] * MM:.2f} mm",
+            f"{drive['torque'] * 1e3:.1f} mN m",
+            f"{drive['ordered_torque'] * 1e3:.1f} mN m",
+            f"{drive['statusword']:04X}",
+            ", ".join(remarks(drive)),
+        )
+    return table
+
+
+def remarks(drive: Record) -> Iterator[str]:
+    """What is unusual about a drive."""
+    if drive["silent"]:
+        yield "silent"
+    if drive["missed"]:
+        yield f"{drive['missed']} answers missing"
+    if drive["error_code"]:
+        yield f"error {drive['error_code']:04X}"
+    if task := word(TASKS, int(drive["task"])):
+        yield task
+
+
+def buses(telemetry: Telemetry, reading: Reading) -> Table:
+    """State, load and what went wrong on every bus."""
+    table = plain(
+        "bus",
+        "state",
+        "load",
+        "frames/s",
+        "sent",
+        "received",
+        "refused",
+        "lost",
+        "malformed",
+        "off",
+    )
+    each = rates(reading.before, reading.status, reading.seconds)
+    for name, bus, rate in zip(telemetry.bus_names, reading.status["buses"], each, strict=True):
+        table.add_row(
+            name,
+            word(BUS_STATES, int(bus["state"])),
+            f"{100 * rate.load:.0f} %",
+            f"{rate.frames:.0f}",
+            *(str(bus[count]) for count in ("sent", "received", "refused", "lost", "malformed")),
+            str(bus["bus_off"]),
+        )
+    return table
+
+
+def times(telemetry: Telemetry, status: Record) -> RenderableType:
+    """How well the loop keeps time."""
+    missed = Text(
+        f"{status['published']} cycles, {status['missed']} missed,"
+        f" at most {status['longest_gap']} at once"
+    )
+    if status["missed"]:
+        missed.stylize("yellow")
+    edges = [*(f"{edge / US:g} us" for edge in telemetry.names["edges"]), "more"]
+    table = plain("up to", "wake-up late", "", "computing", "")
+    seen = np.flatnonzero(status["lateness"]["bins"] + status["computing"]["bins"])
+    for i in range(seen[-1] + 1 if len(seen) else 0):
+        row: list[RenderableType] = [edges[i]]
+        for name in ("lateness", "computing"):
+            histogram = status[name]
+            share = float(histogram["bins"][i]) / max(1, int(histogram["count"]))
+            row += [str(histogram["bins"][i]), bar(share)]
+        table.add_row(*row)
+    return Group(missed, extremes(status), table)
+
+
+def extremes(status: Record) -> Text:
+    """Mean and longest of both times."""
+    words = []
+    for name, what in (("lateness", "late"), ("computing", "computing")):
+        histogram = status[name]
+        mean = float(histogram["sum"]) / max(1, int(histogram["count"]))
+        words.append(f"{what} {mean / US:.1f} us, longest {histogram['most'] / US:.1f} us")
+    return Text("; ".join(words))
+
+
+def plain(*columns: str) -> Table:
+    """A table without lines."""
+    table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim", title_justify="left")
+    for column in columns:
+        table.add_column(column, no_wrap=True)
+    return table
+
+
+def bar(share: float) -> Text:
+    """A bar of a share; beyond 0 or 1 it is red."""
+    full = round(min(1.0, max(0.0, share)) * BAR)
+    inside = -1e-9 <= share <= 1 + 1e-9
+    return Text("█" * full + "░" * (BAR - full), style="cyan" if inside else "red")

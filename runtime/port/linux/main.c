@@ -1,0 +1,60 @@
+/* The executable: one machine, its buses, one thread. */
+#include <stddef.h>
+
+#include "buses.h"
+#include "loop.h"
+#include "options.h"
+#include "realtime.h"
+#include "record.h"
+#include "report.h"
+#include "seal.h"
+#include "stop.h"
+#include "telemetry.h"
+
+#define STOPPED 0
+#define CANNOT 2
+
+/** All memory of the program: there is no other. */
+typedef struct {
+    tb_options options;
+    tb_bus_ports buses;
+    tb_master master;
+    tb_loop loop;
+    tb_record record;
+} tb_program;
+
+static bool prepare(tb_program *program)
+{
+    tb_loop *const loop = &program->loop;
+    *loop = (tb_loop){
+        .options = &program->options, .master = &program->master, .ports = program->buses.ports};
+    tb_stop_listen();
+    loop->telemetry = tb_telemetry_open(program->options.telemetry, program->options.pace);
+    return (loop->telemetry != NULL) && tb_watchdog_open(&loop->watchdog) &&
+           tb_record_open(&program->record, program->options.record) &&
+           tb_buses_open(&program->buses, &program->options) &&
+           tb_realtime_enter(&program->options) && (!program->options.seal || tb_seal());
+}
+
+static int run(tb_program *program)
+{
+    tb_master_start(&program->master, program->buses.ports);
+    tb_end const end = tb_loop_run(&program->loop);
+    tb_record_write(&program->record, &program->master);
+    int const status = tb_report(&program->loop, end);
+    tb_buses_close(&program->buses);
+    return status;
+}
+
+int main(int argc, char *argv[])
+{
+    static tb_program program;
+    switch (tb_options_read(argc, argv, &program.options)) {
+    case TB_OPTIONS_RUN:
+        return prepare(&program) ? run(&program) : CANNOT;
+    case TB_OPTIONS_DONE:
+        return STOPPED;
+    default:
+        return CANNOT;
+    }
+}

@@ -1,0 +1,248 @@
+#include "options.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "say.h"
+#include "tb_machine.h"
+
+#define DEFAULT_PRIORITY 80 /* below the threads of the CAN device's interrupts, above the rest */
+
+#ifdef TB_REAL_FLOAT
+#define PRECISION "float"
+#else
+#define PRECISION "double"
+#endif
+
+static const char usage[] =
+    "Usage: turnbuckle --bus NAME=ADAPTER:DEVICE ... [options]\n"
+    "\n"
+    "Controls the machine " TB_MACHINE_NAME " (" TB_MACHINE_HASH ").\n"
+    "\n"
+    "  --bus NAME=slcan:/dev/ttyACM0    a bus behind a serial CAN adapter\n"
+    "  --bus NAME=socketcan:can0        a bus behind an interface of the kernel\n"
+    "  --arm             arm as soon as every drive is configured\n"
+    "  --cycles N        stop after N cycles\n"
+    "  --record FILE     write the flight recorder to FILE at the end\n"
+    "  --telemetry FILE  shared file for monitors and applications\n"
+    "                    [default: /dev/shm/turnbuckle-" TB_MACHINE_NAME "]\n"
+    "  --priority N      of SCHED_FIFO, 1 to 99; 0 for none [default: 80]\n"
+    "  --cpu N           run on processor N alone\n"
+    "  --pace N          stretch every period N times: for simulated drives alone\n"
+    "  --seal            allow no system call that the control loop does not need\n"
+    "  --version         print the machine's name and hash\n"
+    "  --help            print this\n"
+    "\n"
+    "SIGINT and SIGTERM stop the machine softly; once more, at once.\n"
+    "Exit status: 0 stopped as asked, 1 stopped by a fault, 2 could not start.";
+
+static const struct option known[] = {
+    {"bus", required_argument, NULL, 'b'},       {"arm", no_argument, NULL, 'a'},
+    {"cycles", required_argument, NULL, 'n'},    {"record", required_argument, NULL, 'r'},
+    {"telemetry", required_argument, NULL, 't'}, {"priority", required_argument, NULL, 'p'},
+    {"cpu", required_argument, NULL, 'c'},       {"pace", required_argument, NULL, 's'},
+    {"seal", no_argument, NULL, 'e'},            {"version", no_argument, NULL, 'v'},
+    {"help", no_argument, NULL, 'h'},            {NULL, 0, NULL, 0}};
+
+static const tb_options defaults = {
+    .telemetry = "/dev/shm/turnbuckle-" TB_MACHINE_NAME,
+    .pace = 1,
+    .priority = DEFAULT_PRIORITY,
+    .cpu = -1,
+};
+
+/* A whole number in plain digits; anything else is refused. */
+static bool read_number(const char *option, const char *text, uint64_t low, uint64_t high,
+                        uint64_t *number)
+{
+    char *end = NULL;
+    errno = 0;
+    unsigned long long const value = strtoull(text, &end, 10);
+    if ((isdigit((unsigned char)text[0]) == 0) || (*end != '\0') || (errno != 0) ||
+        (value < low) || (value > high)) {
+        tb_say("%s: found \"%s\"; allowed: a whole number from %llu to %llu", option, text,
+               (unsigned long long)low, (unsigned long long)high);
+        return false;
+    }
+    *number = value;
+    return true;
+}
+
+static bool read_int(const char *option, const char *text, int low, int high, int *number)
+{
+    uint64_t value = 0;
+    if (!read_number(option, text, (uint64_t)low, (uint64_t)high, &value)) {
+        return false;
+    }
+    *number = (int)value;
+    return true;
+}
+
+static bool read_pace(const char *text, uint32_t *pace)
+{
+    uint64_t value = 0;
+    if (!read_number("--pace", text, 1, TB_LARGEST_PACE, &value)) {
+        return false;
+    }
+    *pace = (uint32_t)value;
+    return true;
+}
+
+/* Names of all buses, for messages. */
+static const char *bus_names(char *names, size_t room)
+{
+    size_t used = 0;
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        const char *const parts[2] = {(i == 0) ? "" : ", ", tb_buses[i].name};
+        for (size_t p = 0; p < 2; p++) {
+            size_t const length = strlen(parts[p]);
+            if (used + length + 1u < room) {
+                memcpy(names + used, parts[p], length);
+                used += length;
+            }
+        }
+    }
+    names[used] = '\0';
+    return names;
+}
+
+/* Number of the bus whose name is the first `length` characters of text; -1 for none. */
+static int find_bus(const char *text, size_t length)
+{
+    for (int i = 0; i < TB_BUSES; i++) {
+        if ((strlen(tb_buses[i].name) == length) && (strncmp(tb_buses[i].name, text, length) == 0)) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static bool read_adapter(const char *text, tb_bus_option *bus)
+{
+    static const struct {
+        const char *prefix;
+        tb_adapter adapter;
+    } adapters[] = {{"slcan:", TB_ADAPTER_SLCAN}, {"socketcan:", TB_ADAPTER_SOCKETCAN}};
+    for (size_t i = 0; i < sizeof adapters / sizeof adapters[0]; i++) {
+        size_t const length = strlen(adapters[i].prefix);
+        if ((strncmp(text, adapters[i].prefix, length) == 0) && (text[length] != '\0')) {
+            bus->adapter = adapters[i].adapter;
+            bus->device = text + length;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool read_bus(const char *text, tb_options *options)
+{
+    char names[256];
+    size_t const length = strcspn(text, "=");
+    int const number = find_bus(text, length);
+    if (number < 0) {
+        tb_say("--bus %s: found the bus \"%.*s\"; allowed: one of %s, as in --bus %s=slcan:/dev/ttyACM0",
+               text, (int)length, text, bus_names(names, sizeof names), tb_buses[0].name);
+        return false;
+    }
+    tb_bus_option *const bus = &options->buses[number];
+    if (bus->adapter != TB_ADAPTER_NONE) {
+        tb_say("--bus %s: the bus %s was given before", text, tb_buses[number].name);
+        return false;
+    }
+    if ((text[length] == '\0') || !read_adapter(text + length + 1u, bus)) {
+        tb_say("--bus %s: allowed: %s=slcan:DEVICE, such as slcan:/dev/ttyACM0, or "
+               "%s=socketcan:INTERFACE, such as socketcan:can0",
+               text, tb_buses[number].name, tb_buses[number].name);
+        return false;
+    }
+    return true;
+}
+
+static bool has_every_bus(const tb_options *options)
+{
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        if (options->buses[i].adapter == TB_ADAPTER_NONE) {
+            tb_say("the bus %s is missing: --bus %s=slcan:/dev/ttyACM0 or --bus %s=socketcan:can0",
+                   tb_buses[i].name, tb_buses[i].name, tb_buses[i].name);
+            return false;
+        }
+    }
+    for (size_t i = 1; i < TB_BUSES; i++) {
+        for (size_t k = 0; k < i; k++) {
+            if (strcmp(options->buses[i].device, options->buses[k].device) == 0) {
+                tb_say("--bus: %s and %s are both on %s; allowed: a device of its own for each bus",
+                       tb_buses[k].name, tb_buses[i].name, options->buses[i].device);
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool read_value(int letter, const char *value, tb_options *options)
+{
+    switch (letter) {
+    case 'b':
+        return read_bus(value, options);
+    case 'n':
+        return read_number("--cycles", value, 1, INT64_MAX, &options->cycles);
+    case 's':
+        return read_pace(value, &options->pace);
+    case 'p':
+        return read_int("--priority", value, 0, TB_LARGEST_PRIORITY, &options->priority);
+    case 'c':
+        return read_int("--cpu", value, 0, TB_MOST_PROCESSORS - 1, &options->cpu);
+    case 'r':
+        options->record = value;
+        return true;
+    default:
+        options->telemetry = value;
+        return true;
+    }
+}
+
+static tb_options_answer read_option(int letter, char *argv[], tb_options *options)
+{
+    switch (letter) {
+    case 'a':
+        options->arm = true;
+        return TB_OPTIONS_RUN;
+    case 'e':
+        options->seal = true;
+        return TB_OPTIONS_RUN;
+    case 'h':
+        tb_print("%s", usage);
+        return TB_OPTIONS_DONE;
+    case 'v':
+        tb_print("%s %s, %s", TB_MACHINE_NAME, TB_MACHINE_HASH, PRECISION);
+        return TB_OPTIONS_DONE;
+    case ':':
+        tb_say("%s: a value is missing; --help lists the options", argv[optind - 1]);
+        return TB_OPTIONS_WRONG;
+    case '?':
+        tb_say("%s: no such option; --help lists them", argv[optind - 1]);
+        return TB_OPTIONS_WRONG;
+    default:
+        return read_value(letter, optarg, options) ? TB_OPTIONS_RUN : TB_OPTIONS_WRONG;
+    }
+}
+
+tb_options_answer tb_options_read(int argc, char *argv[], tb_options *options)
+{
+    *options = defaults;
+    for (int letter = 0; (letter = getopt_long(argc, argv, ":", known, NULL)) != -1;) {
+        tb_options_answer const answer = read_option(letter, argv, options);
+        if (answer != TB_OPTIONS_RUN) {
+            return answer;
+        }
+    }
+    if (optind < argc) {
+        tb_say("%s: not an option; --help lists them", argv[optind]);
+        return TB_OPTIONS_WRONG;
+    }
+    return has_every_bus(options) ? TB_OPTIONS_RUN : TB_OPTIONS_WRONG;
+}

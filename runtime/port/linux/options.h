@@ -1,0 +1,48 @@
+/* What the command line says. */
+#ifndef TB_OPTIONS_H
+#define TB_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "tb_drives.h"
+
+#define TB_LARGEST_PACE 1000u
+#define TB_LARGEST_PRIORITY 99
+#define TB_MOST_PROCESSORS 1024
+
+/** How a bus is reached. */
+typedef enum {
+    TB_ADAPTER_NONE = 0,
+    TB_ADAPTER_SLCAN,    /* a serial line */
+    TB_ADAPTER_SOCKETCAN /* an interface of the kernel */
+} tb_adapter;
+
+typedef struct {
+    tb_adapter adapter;
+    const char *device; /* path of the serial line, or name of the interface */
+} tb_bus_option;
+
+typedef struct {
+    tb_bus_option buses[TB_BUSES]; /* in the order of the machine file */
+    const char *telemetry;         /* path of the shared file */
+    const char *record;            /* where the flight recorder is dumped; NULL for nowhere */
+    uint64_t cycles;               /* run for so many, then stop; 0 for without end */
+    uint32_t pace;                 /* every period is stretched by this; 1 for real time */
+    int priority;                  /* of SCHED_FIFO; 0 for none */
+    int cpu;                       /* run on this one alone; -1 for any */
+    bool arm;                      /* arm once, as soon as the machine waits for it */
+    bool seal;                     /* allow the cyclic path no system call that it does not need */
+} tb_options;
+
+/** What to do after the command line was read. */
+typedef enum {
+    TB_OPTIONS_RUN = 0,
+    TB_OPTIONS_DONE, /* --help or --version: printed */
+    TB_OPTIONS_WRONG /* a message is on stderr */
+} tb_options_answer;
+
+/** Read the command line. The options keep pointers into argv. */
+tb_options_answer tb_options_read(int argc, char *argv[], tb_options *options);
+
+#endif

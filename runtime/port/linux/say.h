@@ -1,0 +1,11 @@
+/* Messages to the person at the terminal. */
+#ifndef TB_SAY_H
+#define TB_SAY_H
+
+/** Write one line to stderr, with the program's name in front. */
+void tb_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/** Write one line to stdout. */
+void tb_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+#endif

@@ -1,0 +1,80 @@
+#include "watchdog.h"
+
+#include <errno.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include "clock.h"
+#include "say.h"
+
+#define DEFAULT_INTERVAL (TB_SECOND / 10) /* where systemd does not say how patient it is */
+
+/* A third of what systemd waits ($WATCHDOG_USEC), so that two may get lost. */
+static int64_t interval(void)
+{
+    const char *const text = getenv("WATCHDOG_USEC");
+    long long const patience = (text == NULL) ? 0 : strtoll(text, NULL, 10); /* us */
+    return ((patience > 0) && (patience < INT32_MAX)) ? ((int64_t)patience * 1000) / 3
+                                                      : DEFAULT_INTERVAL;
+}
+
+static bool connect_to(int socket, const char *path)
+{
+    struct sockaddr_un address = {.sun_family = AF_UNIX};
+    size_t const length = strlen(path);
+    if ((length == 0) || (length >= sizeof address.sun_path)) {
+        errno = EINVAL;
+        return false;
+    }
+    memcpy(address.sun_path, path, length);
+    if (path[0] == '@') {
+        address.sun_path[0] = '\0'; /* a name that is no file begins with 0 */
+    }
+    socklen_t const bytes = (socklen_t)(offsetof(struct sockaddr_un, sun_path) + length);
+    return connect(socket, (const struct sockaddr *)&address, bytes) == 0;
+}
+
+bool tb_watchdog_open(tb_watchdog *watchdog)
+{
+    const char *const path = getenv("NOTIFY_SOCKET");
+    *watchdog = (tb_watchdog){.socket = -1, .interval = interval()};
+    if (path == NULL) {
+        return true;
+    }
+    watchdog->socket = socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if ((watchdog->socket < 0) || !connect_to(watchdog->socket, path)) {
+        tb_say("$NOTIFY_SOCKET %s: %s", path, strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+/* A sign of life that cannot be sent is one that is missing: that is what the watchdog is for. */
+static void tell(const tb_watchdog *watchdog, const char *text)
+{
+    if (watchdog->socket >= 0) {
+        ssize_t const sent = send(watchdog->socket, text, strlen(text), MSG_NOSIGNAL);
+        (void)sent;
+    }
+}
+
+void tb_watchdog_ready(const tb_watchdog *watchdog)
+{
+    tell(watchdog, "READY=1");
+}
+
+void tb_watchdog_feed(tb_watchdog *watchdog, int64_t now)
+{
+    if (now >= watchdog->next) {
+        tell(watchdog, "WATCHDOG=1");
+        watchdog->next = now + watchdog->interval;
+    }
+}
+
+void tb_watchdog_stopping(const tb_watchdog *watchdog)
+{
+    tell(watchdog, "STOPPING=1");
+}

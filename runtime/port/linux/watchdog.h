@@ -1,0 +1,27 @@
+/* The watchdog of systemd (sd_notify): told only by cycles that were completed and checked. */
+#ifndef TB_WATCHDOG_H
+#define TB_WATCHDOG_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Where to tell it; without systemd there is no socket, and nothing is told. */
+typedef struct {
+    int socket;       /* -1 for none */
+    int64_t interval; /* ns between two signs of life */
+    int64_t next;     /* ns, when the next one is due */
+} tb_watchdog;
+
+/** Connect to $NOTIFY_SOCKET, where there is one; false with a message where that cannot be. */
+bool tb_watchdog_open(tb_watchdog *watchdog);
+
+/** The program is ready. */
+void tb_watchdog_ready(const tb_watchdog *watchdog);
+
+/** A cycle that began at `now` [ns] is complete and checked. */
+void tb_watchdog_feed(tb_watchdog *watchdog, int64_t now);
+
+/** The program is about to end. */
+void tb_watchdog_stopping(const tb_watchdog *watchdog);
+
+#endif
