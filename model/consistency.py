@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from model import layout
+from model.bus import rules as bus
 from model.layout import ROUNDING
 from model.problem import FOUND_NOTHING, Problem, key_path, problem_at, shown
 
@@ -149,4 +150,8 @@ STAGES = (
     ),
     (layout.headings, layout.pulley_contacts, _carriages, _rail_drive),
     (layout.cables_span, layout.bases_off_one_line),
+    (bus.buses_first, bus.bit_rates, bus.sync_rates, bus.names_and_nodes, bus.drives_on_buses),
+    (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given),
+    (bus.currents, bus.object_ranges, bus.heartbeats, bus.sweeps),
+    (bus.schedulable,),
 )

@@ -4,6 +4,7 @@ from codegen.bus.contract import Object, contract, identity
 from codegen.constants import Constant, real
 from codegen.print_c import literal
 from model.bus.axis import Axis, axes
+from model.bus.plan import compute_phase, loads, timing
 from model.machine import Machine
 
 MODES = {"torque": 0, "position": 1}
@@ -42,7 +43,11 @@ def times(machine: Machine) -> list[Constant]:
     """When things happen, and how long they may take."""
     limits = machine.supervision
     return [
-        Constant("TB_COMPUTE_PHASE", "500", "us from SYNC until every answer is there"),
+        Constant(
+            "TB_COMPUTE_PHASE",
+            str(round(compute_phase(loads(machine), timing(machine)) * 1e6)),
+            "us from SYNC until every answer is there: turnbuckle bus",
+        ),
         count(machine, "HEARTBEAT_CYCLES", limits.heartbeat, "between heartbeats of the master"),
         count(
             machine,
@@ -93,11 +98,17 @@ def supervision(machine: Machine) -> list[Constant]:
 
 
 def base_drives(machine: Machine) -> list[Constant]:
-    """Limits of the base motors; zero where there is none."""
+    """Rails and limits of their motors; zero where there is none."""
     drive = machine.rail_drive
     limit = drive.force_limit * drive.pinion_radius if drive else 0.0
     step = machine.supervision.rail_torque_rate / machine.control.rate if drive else 0.0
+    lengths = [rail.length for rail in machine.rails] or [0.0]
     return [
+        Constant(
+            "TB_RAIL_LENGTHS",
+            f"{{{', '.join(literal(length) for length in lengths)}}}",
+            "m (TB_RAIL_SLOTS)",
+        ),
         real("TB_RAIL_TORQUE_LIMIT", limit, "N m"),
         real("TB_RAIL_TORQUE_STEP", step, "N m, largest change of a torque in one cycle"),
     ]
@@ -125,13 +136,8 @@ def count(machine: Machine, name: str, time: float, meaning: str) -> Constant:
 
 def bus_row(machine: Machine, number: int) -> str:
     """A tb_bus_table."""
-    bus = machine.buses[number]
-    return f'{{"{bus.name}", {round(bus.bit_rate)}U, {divider(machine, number)}}}'
-
-
-def divider(machine: Machine, number: int) -> int:
-    """Control cycles from one SYNC to the next."""
-    return round(machine.control.rate / machine.buses[number].rate)
+    bus = loads(machine)[number]
+    return f'{{"{bus.name}", {round(bus.bit_rate)}U, {bus.divider}}}'
 
 
 def drive_row(machine: Machine, axis: Axis) -> dict[str, object]:
