@@ -11,7 +11,7 @@
 #define TB_DRIVES 8 /* cable drives in the order of the cables, then base drives in that of the rails */
 
 /* Times */
-#define TB_COMPUTE_PHASE 500 /* us from SYNC until every answer is there */
+#define TB_COMPUTE_PHASE 500 /* us from SYNC until every answer is there: turnbuckle bus */
 #define TB_HEARTBEAT_CYCLES 10 /* cycles between heartbeats of the master */
 #define TB_HEARTBEAT_TIMEOUT 100 /* cycles without a heartbeat of a drive until it counts as silent */
 #define TB_ANSWER_TIMEOUT 500 /* cycles until an SDO request has failed */
@@ -31,6 +31,7 @@
 #define TB_RAIL_LAG_CYCLES 200 /* cycles beyond it that are bridged */
 
 /* Base drives */
+#define TB_RAIL_LENGTHS {TB_C(0.7118), TB_C(0.4618), TB_C(0.7118), TB_C(0.4618)} /* m (TB_RAIL_SLOTS) */
 #define TB_RAIL_TORQUE_LIMIT TB_C(0.8999999999999999) /* N m */
 #define TB_RAIL_TORQUE_STEP TB_C(0.2) /* N m, largest change of a torque in one cycle */
 

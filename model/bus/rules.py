@@ -232,7 +232,8 @@ def _in_words(plan: BusPlan) -> str:
     load, phases = plan.load, plan.phases
     text = (
         f"{shown(load.name)} with {counted(load.drives)}, too much for"
-        f" {load.bit_rate / 1e3:g} kbit/s: SYNC and PDOs take {plan.cyclic_share:.1%} of its time, all frames {plan.share:.1%}"
+        f" {load.bit_rate / 1e3:g} kbit/s: SYNC and PDOs take {plan.cyclic_share:.1%} of its time,"
+        f" all frames {plan.share:.1%}"
     )
     if not plan.late:
         return f"{text}, and a cycle {-phases.room * 1e6:.0f} us more than there are"
