@@ -24,6 +24,7 @@ from rich.table import Table
 from rich.text import Text
 
 from lab.live import command_line as live
+from model.bus import command_line as bus_proof
 
 if TYPE_CHECKING:
     from codegen.verify import Report, Row
@@ -696,7 +697,7 @@ def complain(message: str) -> None:
     typer.echo(f"turnbuckle: {message}", err=True)
 
 
-for command in (live.run, live.monitor):
+for command in (bus_proof.bus, live.run, live.monitor):
     app.command()(errors_in_words()(command))
 
 if __name__ == "__main__":

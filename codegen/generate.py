@@ -11,6 +11,7 @@ import jinja2
 
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
+from codegen.bus.dbc import dbc_files
 from codegen.bus.drives import drive_fields
 from codegen.chain import Chain, chain
 from codegen.composite import Item, Procedure, fingerprint, loop
@@ -134,9 +135,10 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
         ),
     }
     if machine.buses:
-        fields = {**common, **drive_fields(machine)}
+        drives = {**common, **drive_fields(machine)}
         for name in ("tb_drives.h", "tb_drives.c"):
-            files[name] = environment.get_template(f"{name}.jinja").render(fields)
+            files[name] = environment.get_template(f"{name}.jinja").render(drives)
+        files |= dbc_files(machine)
     for topic, routines in model.topics.items():
         fields = {
             **common,

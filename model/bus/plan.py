@@ -33,18 +33,18 @@ class Load:
 
 @dataclass(frozen=True)
 class Row:
-    """A message and the most it takes from its turn until it has arrived [s]; None: no bound."""
+    """A message and the most it takes from its turn until it has arrived [s]; inf: no bound."""
 
     message: Message
     length: float
     period: float
     deadline: float
-    response: float | None
+    response: float
 
     @property
     def in_time(self) -> bool:
         """Whether it arrives within its deadline."""
-        return self.response is not None and self.response <= self.deadline
+        return self.response <= self.deadline
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,7 @@ def _row(message: Message, found: Sequence[Message], bit: float) -> Row:
         message.bits * bit,
         message.period * bit,
         message.deadline * bit,
-        None if response is None else response * bit,
+        math.inf if response is None else response * bit,
     )
 
 

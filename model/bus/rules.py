@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from model.bus.alternatives import alternatives, counted
 from model.bus.axis import Axis, axes, base_drive, drive_names
 from model.bus.plan import BusPlan, loads, plans, timing
-from model.bus.tables import BIT_RATES, Rating
+from model.bus.tables import BIT_RATES, MASTER, Rating
 from model.problem import FOUND_NOTHING, Problem, key_path, nearest, problem_at, shown
 
 if TYPE_CHECKING:
@@ -70,6 +71,9 @@ def names_and_nodes(machine: Machine, tables: Tables) -> Found:
                 first = key_path((table, values.index(value), key))
                 what = "number" if key == "node" else "name"
                 yield problem_at(tables, (table, i, key), f"a {what} that differs from {first}")
+    if MASTER in drives:
+        location = ("drive", drives.index(MASTER), "name")
+        yield problem_at(tables, location, f"a name other than {MASTER}, which is on every bus")
 
 
 def drives_on_buses(machine: Machine, tables: Tables) -> Found:
@@ -238,6 +242,6 @@ def _in_words(plan: BusPlan) -> str:
     if not plan.late:
         return f"{text}, and a cycle {-phases.room * 1e6:.0f} us more than there are"
     worst = plan.late[0]
-    taken = "for ever" if worst.response is None else f"{worst.response * 1e6:.0f} us"
+    taken = "for ever" if worst.response == math.inf else f"{worst.response * 1e6:.0f} us"
     allowed = f"{worst.deadline * 1e6:.0f} us are allowed"
     return f"{text}; {worst.message.name} may take {taken}, {allowed}"

@@ -25,6 +25,7 @@ from model.words import Identifier
 
 #: Bit rates of CiA 301 [bit/s].
 BIT_RATES = (10e3, 20e3, 50e3, 125e3, 250e3, 500e3, 800e3, 1e6)
+MASTER = "master"
 MOST_NODE = 126
 MASTER_NODE = 127
 Node = Annotated[int, Whole("a node number", 1, MOST_NODE)]

@@ -15,7 +15,7 @@ from turnbuckle import app
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
 TURNBUCKLE = Path(sys.executable).with_name("turnbuckle")
-COMMANDS = ["check", "analyze", "compare", "generate", "verify", "demo", "optimise", "study"]
+COMMANDS = ["bus", "check", "analyze", "compare", "generate", "verify", "demo", "optimise", "study"]
 AWKWARD = "my [bold]machine – Δx.toml"
 
 
