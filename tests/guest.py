@@ -2,8 +2,8 @@
 
 The kernel is Debian's, in QEMU without hardware acceleration; virtual CAN interfaces are up. The
 host's root is the guest's, read-only: the same programs and paths, the virtual environment, what
-was compiled before. /run is empty and writable, and is the home folder; there is no network. A guest
-takes about five seconds more than its command, the first one fifteen.
+was compiled before. /run is empty and writable, and is the home folder; there is no network. It
+takes about four seconds more than its command, fifteen when nothing is prepared.
 
     python tests/guest.py [--interfaces vcan0,vcan1] COMMAND ...
 """
@@ -30,7 +30,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 #: The kernel as downloaded and what is made of it; safe to delete.
 CACHE = ROOT / "build" / "guest"
-#: Kernel modules, with all that they need: raw CAN, three kinds of interface, the files of the host.
+#: Kernel modules, with all that they need: raw CAN, its virtual interfaces, the host's files.
 MODULES = ("can_raw", "vcan", "vxcan", "slcan", "virtio_pci", "9pnet_virtio", "9p")
 #: The last line of the output, before the exit status of the command.
 STATUS = "guest: exit status "
