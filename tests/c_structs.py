@@ -37,6 +37,8 @@ class Declarations:
     """Typedef or struct name -> ctypes type."""
     constants: dict[str, int] = field(default_factory=dict)
     """Name of an enumerator -> its value."""
+    variables: dict[str, Any] = field(default_factory=dict)
+    """Name of a variable of file scope -> its ctypes type."""
     results: dict[str, Any] = field(default_factory=dict)
     """Name of a function -> ctypes type of what it returns."""
 
@@ -59,7 +61,9 @@ def collect(entry: DIE, reader: "Reader", found: Declarations) -> None:
     elif entry.tag in ("DW_TAG_typedef", "DW_TAG_structure_type") and name_of(entry):
         found.types.setdefault(name_of(entry), reader.type_of(entry))
     elif entry.tag == "DW_TAG_subprogram":
-        found.results[name_of(entry)] = reader.result_of(entry)
+        found.results[name_of(entry)] = reader.target_of(entry)
+    elif entry.tag == "DW_TAG_variable" and name_of(entry):
+        found.variables[name_of(entry)] = reader.target_of(entry)
 
 
 class Reader:
@@ -81,22 +85,19 @@ class Reader:
             self._known[entry.offset] = self._read(entry)
         return self._known[entry.offset]
 
-    def result_of(self, entry: DIE) -> Any:
-        """The ctypes type of what a function returns."""
-        return self._target(entry)
-
     def _read(self, entry: DIE) -> Any:
         if entry.tag in self._readers:
             return self._readers[entry.tag](entry)
-        return self._target(entry)  # typedef, const: as what they stand for
+        return self.target_of(entry)  # typedef, const: as what they stand for
 
-    def _target(self, entry: DIE) -> Any:
+    def target_of(self, entry: DIE) -> Any:
+        """The type that an entry names: of a variable, of what a function returns."""
         if "DW_AT_type" not in entry.attributes or entry.tag == "DW_TAG_subroutine_type":
             return None
         return self.type_of(entry.get_DIE_from_attribute("DW_AT_type"))
 
     def _array(self, entry: DIE) -> Any:
-        element = self._target(entry)
+        element = self.target_of(entry)
         for bound in reversed(list(entry.iter_children())):
             element = element * (number_of(bound, "DW_AT_upper_bound") + 1)
         return element
@@ -106,7 +107,7 @@ class Reader:
             return None
         made = type(name_of(entry) or "struct", (ctypes.Structure,), {})
         members = [child for child in entry.iter_children() if child.tag == "DW_TAG_member"]
-        made._fields_ = [(name_of(member), self._target(member)) for member in members]
+        made._fields_ = [(name_of(member), self.target_of(member)) for member in members]
         size = number_of(entry, "DW_AT_byte_size")
         if ctypes.sizeof(made) != size:
             raise RuntimeError(f"{name_of(entry)}: {ctypes.sizeof(made)} bytes here, {size} in C")

@@ -52,6 +52,10 @@ class Canopen:
         """A struct, all zero."""
         return self._declared.types[name]()
 
+    def variable(self, name: str) -> Any:
+        """A variable of the library."""
+        return self._declared.variables[name].in_dll(self._library, name)
+
     def frame(self, frame: Frame) -> Any:
         """A frame for C."""
         made = self.new("tb_can_frame")

@@ -1,0 +1,102 @@
+"""The network of the runtime with a python canopen drive for each of its drives, in lockstep."""
+
+from collections.abc import Callable
+from ctypes import addressof, byref, c_void_p
+from typing import Any
+
+from canopen_c import Canopen, Frame, canopen_c, read
+from canopen_drive import Drive, rows
+from canopen_peer import Wire
+
+Tamper = Callable[[int, Frame], list[Frame]]
+
+
+class Bench:
+    """Three buses of eight drives; one `cycle` is a millisecond."""
+
+    def __init__(self, library: Canopen | None = None) -> None:
+        self.c = library or canopen_c()
+        self.rows = rows(self.c)
+        self.dividers = [bus.divider for bus in self.c.variable("tb_buses")]
+        self.wires = [Wire() for _ in self.dividers]
+        self.loops = [self.c.new("tb_loopback") for _ in self.dividers]
+        for loop in self.loops:
+            self.c.tb_loopback_open(byref(loop))
+        self.drives = [Drive(self.wires[row.bus], row) for row in self.rows]
+        self.network, self.seen = self.c.new("tb_network"), self.c.new("tb_observation")
+        self.orders = self.c.new("tb_orders")
+        self.orders.beat = 1
+        ports = (c_void_p * len(self.loops))(*map(addressof, self.loops))
+        self.c.tb_network_start(byref(self.network), ports)
+        self.answers: Tamper = lambda bus, frame: [frame]
+        """What reaches the master of a frame that a drive sent."""
+        self.synced: list[list[Frame]] = []
+        """Frames of the master at the beginning of the last cycle, by bus."""
+        self.dispatched: list[list[Frame]] = []
+        """Frames of the master at its end."""
+
+    def cycle(self, count: int = 1) -> None:
+        """Run some cycles."""
+        for _ in range(count):
+            self.sync()
+            self.collect()
+            self.dispatch()
+
+    def sync(self) -> None:
+        """SYNC, and what the drives answer to it."""
+        for wire in self.wires:
+            wire.tick()
+        self.c.tb_network_sync(byref(self.network))
+        self.synced = [self._carry(bus) for bus in range(len(self.loops))]
+
+    def collect(self) -> None:
+        """The observation."""
+        self.c.tb_network_collect(byref(self.network), byref(self.seen))
+
+    def dispatch(self) -> None:
+        """The orders; what is answered to them waits for the next cycle."""
+        self.c.tb_network_dispatch(byref(self.network), byref(self.orders))
+        self.dispatched = [self._carry(bus) for bus in range(len(self.loops))]
+
+    def give(self, bus: int, *frames: Frame) -> None:
+        """Frames reach the master."""
+        for frame in frames:
+            self.c.tb_loopback_give(byref(self.loops[bus]), byref(self.c.frame(frame)))
+
+    def _carry(self, bus: int) -> list[Frame]:
+        sent, frame = [], self.c.new("tb_can_frame")
+        while self.c.tb_loopback_take(byref(self.loops[bus]), byref(frame)) == self.c.TB_CAN_OK:
+            sent.append(read(frame))
+            self.wires[bus].give(sent[-1])
+        for answer in self.wires[bus].take():
+            self.give(bus, *self.answers(bus, answer))
+        return sent
+
+    def order(self, **fields: Any) -> None:
+        """Order the same of all drives."""
+        for drive in self.orders.drives:
+            for name, value in fields.items():
+                setattr(drive, name, value)
+
+    def task(self, name: str, most: int = 3000, **fields: Any) -> int:
+        """Let all drives do a task: how many cycles it took until the last one ended."""
+        self.order(task=getattr(self.c, f"TB_TASK_{name}"), **fields)
+        for count in range(most):
+            self.cycle()
+            if count and all(one.progress != self.c.TB_TASK_BUSY for one in self.seen.drives):
+                return count
+        raise AssertionError(f"{name} takes more than {most} cycles")
+
+    def bring_up(self) -> None:
+        """All drives operational, in torque mode, without power."""
+        for name in ("RESET", "IDENTIFY", "CONFIGURE", "START"):
+            self.task(name)
+        self.task("MODE", mode=self.c.TB_MODE_TORQUE)
+        assert {drive.progress for drive in self.seen.drives} == {self.c.TB_TASK_DONE}
+
+    def enable(self) -> None:
+        """All drives under torque."""
+        self.bring_up()
+        self.order(goal=self.c.TB_GOAL_ENABLED)
+        self.cycle(20)
+        assert {drive.power for drive in self.seen.drives} == {self.c.TB_POWER_ENABLED}

@@ -1,0 +1,320 @@
+"""Set-up of a drive: the contract in its order, every difference found and named."""
+
+from ctypes import byref
+from typing import Any
+
+import pytest
+from canopen.sdo import SdoAbortedError
+from canopen_c import Frame, canopen_c, read
+from canopen_drive import Drive, Entry, Row, rows
+from canopen_peer import Wire
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+C = canopen_c()
+ROWS = rows(C)
+CABLE, BASE = ROWS[0], ROWS[-1]
+TIMEOUT = 3000
+
+
+class Bench:
+    """One drive and its set-up."""
+
+    def __init__(self, row: Row) -> None:
+        self.wire, self.row = Wire(), row
+        self.drive = Drive(self.wire, row)
+        self.setup, self.heartbeat = C.new("tb_setup"), C.new("tb_heartbeat")
+        self.requests: list[Frame] = []
+        self.answers = 1
+        self.answered = True
+        C.tb_heartbeat_start(byref(self.heartbeat))
+        table = C.variable("tb_drives")[row.number]
+        C.tb_setup_start(byref(self.setup), byref(table))
+
+    def order(self, task: str, mode: str = "NONE") -> None:
+        """Order a task."""
+        C.tb_setup_order(
+            byref(self.setup), getattr(C, f"TB_TASK_{task}"), getattr(C, f"TB_MODE_{mode}")
+        )
+
+    def run(self, task: str, mode: str = "NONE") -> str:
+        """Let a task come to its end: the name of its progress."""
+        self.order(task, mode)
+        for _ in range(TIMEOUT):
+            self.cycle()
+            if self.progress != "BUSY":
+                break
+        return self.progress
+
+    def cycle(self) -> None:
+        """A frame out, its answers in."""
+        frame = C.new("tb_can_frame")
+        if C.tb_setup_frame(byref(self.setup), byref(self.heartbeat), byref(frame)):
+            self.requests.append(read(frame))
+            self.wire.give(self.requests[-1])
+        self.wire.tick()
+        for answer in self.wire.take():
+            for _ in range(self.answers):
+                self.take(answer)
+        C.tb_heartbeat_tick(byref(self.heartbeat))
+        C.tb_setup_advance(byref(self.setup), byref(self.heartbeat), self.answered)
+
+    def take(self, frame: Frame) -> None:
+        """A frame of the drive."""
+        if frame.id >= 0x700:
+            C.tb_heartbeat_take(byref(self.heartbeat), byref(C.frame(frame)))
+        else:
+            C.tb_sdo_take(byref(self.setup.sdo), byref(C.frame(frame)))
+
+    @property
+    def progress(self) -> str:
+        """Name of the progress."""
+        names = ["IDLE", "BUSY", "DONE", "FAILED"]
+        return names[self.setup.progress]
+
+    @property
+    def failure(self) -> tuple[str, int, int, int]:
+        """Failure, index, subindex, detail."""
+        names = ["NONE", "SILENT", "ABORT", "DIFFERENT", "TWICE"]
+        setup = self.setup
+        return names[setup.failure], setup.index, setup.subindex, setup.detail
+
+    def alter(self, entry: int, value: int, entries: list[Entry]) -> None:
+        """The drive answers something else for one entry of a table: at the time that it is read,
+        for an object may have several."""
+        reads = -1
+
+        def answer(key: tuple[int, int], held: int) -> int:
+            nonlocal reads
+            reads += 1
+            return value if reads == entry else held
+
+        assert all(one.writes for one in entries) or not any(one.writes for one in entries)
+        self.drive.read = answer
+
+
+def expected(entry: Entry, found: int) -> tuple[str, int, int, int]:
+    """The failure of an entry that holds something else."""
+    return "DIFFERENT", entry.index, entry.subindex, found
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: str(row.number))
+def test_the_contract_is_written_in_its_order_each_entry_read_back_before_the_next(
+    row: Row,
+) -> None:
+    bench = Bench(row)
+    assert bench.run("CONFIGURE") == "DONE"
+    wanted = [((entry.index, entry.subindex), entry.value) for entry in row.contract]
+    assert bench.drive.written == wanted
+    objects = [(int.from_bytes(f.data[1:3], "little"), f.data[3]) for f in bench.requests]
+    assert objects == [key for key, _ in wanted for _ in ("write", "read")]
+    assert [frame.data[0] & 0xE0 for frame in bench.requests] == [0x20, 0x40] * len(wanted)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: str(row.number))
+def test_the_drive_that_was_configured_answers_sync_as_the_contract_maps(row: Row) -> None:
+    bench = Bench(row)
+    for task in ("RESET", "IDENTIFY", "CONFIGURE", "START"):
+        assert bench.run(task) == "DONE"
+    bench.wire.take()
+    bench.drive.position, bench.drive.torque = -123456, -321
+    bench.wire.give(Frame(0x080, b""))
+    (frame,) = bench.wire.take()
+    status = C.new("tb_pdo_status")
+    assert C.tb_pdo_take(byref(status), byref(C.frame(frame)))
+    assert frame.id == 0x180 + row.node
+    assert (status.position, status.torque, status.statusword) == (-123456, -321, 0x0240)
+
+
+def every_entry(kind: str) -> list[tuple[Row, int]]:
+    """All entries of all drives."""
+    return [(row, entry) for row in ROWS for entry in range(len(getattr(row, kind)))]
+
+
+@pytest.mark.parametrize(("task", "kind"), [("IDENTIFY", "identity"), ("CONFIGURE", "contract")])
+def test_every_single_altered_object_is_named_with_what_it_holds(task: str, kind: str) -> None:
+    for row, number in every_entry(kind):
+        entries: list[Entry] = getattr(row, kind)
+        found = entries[number].value ^ 1
+        bench = Bench(row)
+        bench.alter(number, found, entries)
+        assert bench.run(task) == "FAILED"
+        assert bench.failure == expected(entries[number], found)
+        assert len(bench.drive.written) == (number + 1 if kind == "contract" else 0)
+
+
+@settings(max_examples=60)
+@given(st.data())
+def test_any_altered_value_of_any_object_is_found(data: Any) -> None:
+    row = data.draw(st.sampled_from(ROWS))
+    number = data.draw(st.integers(0, len(row.contract) - 1))
+    entry = row.contract[number]
+    bits = data.draw(st.integers(1, 2 ** (8 * entry.size) - 1))
+    bench = Bench(row)
+    bench.alter(number, entry.value ^ bits, row.contract)
+    assert bench.run("CONFIGURE") == "FAILED"
+    assert bench.failure == expected(entry, entry.value ^ bits)
+
+
+def test_an_object_of_another_length_is_different_whatever_it_holds() -> None:
+    bench = Bench(CABLE)
+    frame = bytes([0x4F, 0x18, 0x10, 1, CABLE.identity[0].value & 0xFF, 0, 0, 0])
+    bench.order("IDENTIFY")
+    bench.wire.give = lambda request: None  # type: ignore[method-assign, assignment]
+    bench.cycle()
+    bench.take(Frame(0x580 + CABLE.node, frame))
+    bench.cycle()
+    assert bench.failure == ("DIFFERENT", 0x1018, 1, CABLE.identity[0].value & 0xFF)
+
+
+@pytest.mark.parametrize("code", [0x06020000, 0x06090030, 0x08000022, 0x0F00FFC0])
+@pytest.mark.parametrize("number", [0, 7, len(BASE.contract) - 1])
+def test_an_abort_is_reported_with_its_code_and_object(number: int, code: int) -> None:
+    bench, entry, count = Bench(BASE), BASE.contract[number], 0
+
+    def refuse(**fields: Any) -> None:
+        nonlocal count
+        count += 1
+        if count == number + 1:
+            raise SdoAbortedError(code)
+
+    bench.drive.node.add_write_callback(refuse)
+    assert bench.run("CONFIGURE") == "FAILED"
+    assert bench.failure == ("ABORT", entry.index, entry.subindex, code)
+
+
+def test_a_drive_that_does_not_answer_is_silent_at_the_object_it_was_asked_for() -> None:
+    bench = Bench(CABLE)
+    bench.answers = 0
+    assert bench.run("CONFIGURE") == "FAILED"
+    assert bench.failure == ("SILENT", CABLE.contract[0].index, CABLE.contract[0].subindex, 0)
+
+
+@pytest.mark.parametrize("task", ["RESET", "IDENTIFY", "CONFIGURE", "MODE"])
+def test_two_drives_with_one_number_are_found_out(task: str) -> None:
+    bench = Bench(CABLE)
+    bench.answers = 2
+    assert bench.run(task, "TORQUE") == "FAILED"
+    assert bench.failure[0] == "TWICE"
+
+
+def test_a_drive_that_does_not_boot_is_silent() -> None:
+    bench = Bench(CABLE)
+    bench.answers = 0
+    assert bench.run("RESET") == "FAILED"
+    assert bench.failure == ("SILENT", 0, 0, 0)
+
+
+def test_a_boot_up_message_from_before_the_reset_is_no_second_drive() -> None:
+    bench = Bench(CABLE)
+    for _ in range(3):
+        bench.take(Frame(0x700 + CABLE.node, b"\0"))
+    assert bench.run("RESET") == "DONE"
+
+
+def test_a_reset_is_waited_for_a_while_longer_than_the_boot_up_message() -> None:
+    bench = Bench(CABLE)
+    bench.order("RESET")
+    bench.cycle()
+    bench.cycle()
+    assert (bench.heartbeat.boots, bench.progress) == (1, "BUSY")
+    bench.take(Frame(0x700 + CABLE.node, b"\0"))
+    bench.cycle()
+    assert (bench.progress, bench.failure[0]) == ("FAILED", "TWICE")
+
+
+def test_a_drive_that_restarts_while_it_is_configured_is_found_out() -> None:
+    bench = Bench(CABLE)
+    assert bench.run("RESET") == "DONE"
+    bench.order("CONFIGURE")
+    for _ in range(20):
+        bench.cycle()
+    bench.drive.boot()
+    for _ in range(3):
+        bench.cycle()
+    assert (bench.progress, bench.failure[0]) == ("FAILED", "TWICE")
+
+
+def test_a_drive_is_started_once_its_heartbeat_says_so_and_it_answered() -> None:
+    bench = Bench(CABLE)
+    for task in ("RESET", "CONFIGURE"):
+        assert bench.run(task) == "DONE"
+    bench.answered = False
+    bench.order("START")
+    for _ in range(100):
+        bench.cycle()
+    assert (bench.progress, bench.setup.operational) == ("BUSY", 0)
+    bench.answered = True
+    bench.cycle()
+    assert (bench.progress, bench.setup.operational) == ("DONE", 1)
+
+
+def test_a_drive_that_is_never_operational_is_silent() -> None:
+    bench = Bench(CABLE)
+    assert bench.run("CONFIGURE") == "DONE"
+    bench.answered = False
+    assert bench.run("START") == "FAILED"
+    assert bench.failure == ("SILENT", 0, 0, 0)
+
+
+@pytest.mark.parametrize(("mode", "number"), [("TORQUE", 10), ("POSITION", 8), ("HOMING", 6)])
+def test_a_mode_is_confirmed_by_the_drive(mode: str, number: int) -> None:
+    bench = Bench(BASE)
+    assert bench.run("MODE", mode) == "DONE"
+    assert bench.drive.mode == number
+    assert bench.setup.mode == getattr(C, f"TB_MODE_{mode}")
+
+
+def test_a_mode_that_shows_late_is_waited_for() -> None:
+    bench, asked = Bench(BASE), 0
+
+    def shows_late(key: tuple[int, int], held: int) -> int:
+        nonlocal asked
+        asked += key == (0x6061, 0)
+        return 0 if key == (0x6061, 0) and asked < 30 else held
+
+    bench.drive.read = shows_late
+    assert bench.run("MODE", "HOMING") == "DONE"
+    assert asked == 30
+
+
+def test_a_mode_that_never_shows_is_different() -> None:
+    bench = Bench(BASE)
+    bench.drive.read = lambda key, held: 3 if key == (0x6061, 0) else held
+    assert bench.run("MODE", "HOMING") == "FAILED"
+    assert bench.failure == ("DIFFERENT", 0x6061, 0, 3)
+    assert bench.setup.mode == C.TB_MODE_NONE
+
+
+def test_no_mode_is_confirmed_while_it_changes() -> None:
+    bench = Bench(BASE)
+    assert bench.run("MODE", "HOMING") == "DONE"
+    bench.order("MODE", "TORQUE")
+    assert bench.setup.mode == C.TB_MODE_NONE
+    assert bench.run("MODE", "TORQUE") == "DONE"
+    assert bench.drive.mode == 10
+
+
+def test_a_task_is_done_once_and_again_after_another() -> None:
+    bench = Bench(CABLE)
+    assert bench.run("IDENTIFY") == "DONE"
+    sent = len(bench.requests)
+    assert bench.run("IDENTIFY") == "DONE"
+    assert len(bench.requests) == sent
+    bench.order("NONE")
+    assert bench.progress == "IDLE"
+    assert bench.run("IDENTIFY") == "DONE"
+    assert len(bench.requests) == 2 * sent
+
+
+def test_a_task_that_another_one_interrupts_leaves_no_second_drive_behind() -> None:
+    bench = Bench(CABLE)
+    bench.order("CONFIGURE")
+    for _ in range(10):
+        bench.cycle()
+    frame = C.new("tb_can_frame")
+    C.tb_setup_frame(byref(bench.setup), byref(bench.heartbeat), byref(frame))
+    bench.order("IDENTIFY")  # while an answer is under way
+    bench.wire.give(read(frame))
+    assert bench.run("IDENTIFY") == "DONE"
+    assert bench.setup.sdo.extra == 0
