@@ -1,6 +1,8 @@
-/* Why the machine stopped. */
+/* Why the machine stopped. docs/safety.md has what the machine does for each cause, and the user. */
 #ifndef TB_CAUSE_H
 #define TB_CAUSE_H
+
+#include <stdint.h>
 
 /** Why the machine stopped. The number in `culprit` is a drive, a cable or a bus, from 0. */
 typedef enum {
@@ -29,7 +31,17 @@ typedef enum {
     TB_CAUSE_CLOSURE,           /* the measured lengths disagree, no single cable explains it */
     TB_CAUSE_BASE_LOST,         /* drive: a base does not follow its target */
     TB_CAUSE_CONTROLLER,        /* the controller step failed too often: status in `detail` */
-    TB_CAUSE_MEMORY             /* the torque gate found damaged memory */
+    TB_CAUSE_MEMORY             /* the runtime's own memory was damaged */
 } tb_cause;
+
+/** A cause with what is known about it. */
+typedef struct {
+    uint32_t detail;  /* abort code, value found, emergency code, statusword, tb_status or a count */
+    uint16_t culprit; /* drive, cable or bus, from 0 */
+    uint16_t index;   /* object of TB_CAUSE_DRIVE_DIFFERENT and _SETUP */
+    uint8_t subindex;
+    uint8_t failure;  /* tb_failure of the same */
+    uint8_t cause;    /* tb_cause */
+} tb_blame;
 
 #endif

@@ -387,6 +387,13 @@ tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB
     return status;
 }
 
+void tb_controller_take_over(tb_controller *controller, const real_t torque[TB_CABLES],
+                             const real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY])
+{
+    copy(TB_CABLES, torque, controller->torque);
+    copy(TB_RAIL_SLOTS * TB_BASE_MEMORY, base, controller->base);
+}
+
 tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,
                              tb_outputs *outputs)
 {

@@ -97,6 +97,12 @@ typedef struct {
 tb_status tb_controller_start(tb_controller *controller, const real_t lengths[TB_CABLES],
                               const real_t rails[TB_RAIL_SLOTS]);
 
+/** Tell the controller what the motors did while others decided it, so that it goes on from there.
+ *  torque [N m] (TB_CABLES): what the cable motors were given in the last cycle.
+ *  base (TB_RAIL_SLOTS * TB_BASE_MEMORY): memory of the tb_base_pid that moved the bases. */
+void tb_controller_take_over(tb_controller *controller, const real_t torque[TB_CABLES],
+                             const real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY]);
+
 /** Run one cycle. Call it every TB_PERIOD seconds, with fresh measurements.
  *  Returns TB_OK, TB_INFEASIBLE, or why the cycle failed; all outputs are written in every case. */
 tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,

@@ -91,7 +91,7 @@ typedef struct {
     uint8_t mode;         /* tb_mode that the drive confirmed last */
     uint8_t homing;       /* tb_homing; read only in TB_MODE_HOMING */
     uint8_t fresh;        /* 1 when a status message came since the last cycle */
-    uint8_t missed;       /* SYNCs in a row that it did not answer; stops at 255 */
+    uint8_t missed;       /* SYNCs in a row that it did not answer, not even late; stops at 255 */
     uint8_t late;         /* status messages in a row that came too late for their cycle */
     uint8_t silent;       /* 1 when its heartbeat stopped, or says it is not operational */
     uint8_t task;         /* tb_task that `progress` is about */
@@ -119,6 +119,9 @@ typedef enum {
     TB_ERROR_FAULT,        /* its power stage is off or going off */
     TB_ERROR_COMMUNICATION /* as FAULT; cleared only by a reset of its communication */
 } tb_error_class;
+
+/** First tb_can_state in which a bus carries no frames: off, or its device has gone. */
+#define TB_BUS_LOST ((uint8_t)3)
 
 /** What a bus reported in this cycle. */
 typedef struct {

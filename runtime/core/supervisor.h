@@ -12,7 +12,8 @@
  *   FAULT       no torque; the first cause stands until TB_REQUEST_RESET leads to INIT
  *
  * A stop that was asked for ends in CONFIGURE and takes a new TB_REQUEST_ARM; every other cause
- * ends in FAULT. Requests are edges: a request that stands does not arm again.
+ * ends in FAULT. Requests are edges: a request that stands does not arm again. The first fault
+ * stands until the reset, but takes the place of TB_CAUSE_REQUESTED, which is none.
  * No cable pulls while another one that should pull cannot: whatever stops one drive stops all.
  *
  * Pure, as the controller step is: one call a cycle, everything remembered is in tb_supervisor.
@@ -40,6 +41,36 @@ typedef enum {
     TB_STATE_FAULT
 } tb_state;
 
+/** Step within a state, for people. */
+typedef enum {
+    TB_PHASE_NONE = 0,
+    /* CONFIGURE */
+    TB_PHASE_CONTRACT,     /* writing and reading back the drives' objects */
+    TB_PHASE_START,        /* drives become operational */
+    TB_PHASE_FAULT_RESET,  /* drives leave their fault state */
+    TB_PHASE_READY,        /* waiting for TB_REQUEST_ARM */
+    /* HOME */
+    TB_PHASE_CABLE_MODE,   /* cable drives to torque mode */
+    TB_PHASE_CABLE_POWER,
+    TB_PHASE_TIGHTEN,      /* slack is wound in, to T_min */
+    TB_PHASE_BASE_MODE,    /* one base after the other, from here ... */
+    TB_PHASE_BASE_POWER,
+    TB_PHASE_BASE_HOMING,  /* runs to its mechanical stop */
+    TB_PHASE_BASE_RELEASE,
+    TB_PHASE_BASE_WORK_MODE,
+    TB_PHASE_BASE_WORK_POWER, /* ... to here */
+    TB_PHASE_GATHER,       /* bases to where their sweep begins */
+    TB_PHASE_SWEEP,        /* bases and tensions sweep; without rails: move the handle around */
+    TB_PHASE_SOLVE,        /* computing the cables' zeros */
+    /* TENSION */
+    TB_PHASE_APPROACH,     /* bases to where the pose wants them, slowly */
+    TB_PHASE_CLOSE,        /* the measured lengths must agree */
+    /* SOFT_STOP, HARD_STOP */
+    TB_PHASE_RELAX,        /* cables to T_min */
+    TB_PHASE_SLACKEN,      /* cables to no torque */
+    TB_PHASE_POWER_OFF
+} tb_phase;
+
 /* Requests; the supervisor acts on the cycle in which a bit appears. */
 #define TB_REQUEST_ARM ((uint32_t)1)   /* from CONFIGURE to HOME */
 #define TB_REQUEST_STOP ((uint32_t)2)  /* soft stop; acts as long as it stands */
@@ -63,13 +94,13 @@ typedef struct {
     real_t slack[TB_CABLES];   /* m, how far each cable alone would explain the closure error */
     uint8_t beat;              /* 1: this cycle is checked and complete, the heartbeat may go out */
     uint8_t state;             /* tb_state */
-    uint8_t phase;             /* step within the state, for people: supervisor.c */
+    uint8_t phase;             /* tb_phase */
     uint8_t cause;             /* tb_cause, first since the last reset */
-    uint16_t culprit;
-    uint16_t index;            /* object of TB_CAUSE_DRIVE_DIFFERENT and _SETUP */
+    uint16_t culprit;          /* this and the rest: tb_blame */
+    uint16_t index;
     uint8_t subindex;
-    uint8_t failure;           /* tb_failure of the same */
-    uint32_t detail;           /* abort code, value found, emergency code or tb_status */
+    uint8_t failure;
+    uint32_t detail;
 } tb_orders;
 
 /** Everything remembered from cycle to cycle: supervisor_memory.h. */

@@ -11,7 +11,11 @@
 #define REAL_MAX DBL_MAX
 #endif
 
-static const real_t minimum_tension_torque = TB_DRUM_RADIUS * TB_TENSION_MIN;
+const tb_gate_limits tb_cable_limits = {.low = TB_C(0.0),
+                                        .high = TB_TORQUE_LIMIT,
+                                        .step = TB_TORQUE_STEP,
+                                        .safe = TB_DRUM_RADIUS * TB_TENSION_MIN,
+                                        .rest = TB_C(0.0)};
 
 /* Written as two comparisons that a NaN fails, so that no library is needed. */
 static bool is_within(real_t value, real_t low, real_t high)
@@ -19,43 +23,56 @@ static bool is_within(real_t value, real_t low, real_t high)
     return (value >= low) && (value <= high);
 }
 
-static real_t within_limits(real_t command, uint32_t *flags)
+static real_t within_limits(const tb_gate_limits *limits, real_t command, uint32_t *flags)
 {
     if (!is_within(command, -REAL_MAX, REAL_MAX)) {
         *flags |= TB_GATE_NOT_FINITE;
-        return minimum_tension_torque;
+        return limits->safe;
     }
-    if (command < TB_C(0.0)) {
-        *flags |= TB_GATE_BELOW_ZERO;
-        return TB_C(0.0);
+    if (command < limits->low) {
+        *flags |= TB_GATE_BELOW_LIMIT;
+        return limits->low;
     }
-    if (command > TB_TORQUE_LIMIT) {
+    if (command > limits->high) {
         *flags |= TB_GATE_ABOVE_LIMIT;
-        return TB_TORQUE_LIMIT;
+        return limits->high;
     }
     return command;
 }
 
-static real_t within_rate(real_t previous, real_t command, uint32_t *flags)
+static real_t within_rate(real_t step, real_t previous, real_t command, uint32_t *flags)
 {
-    if (command > previous + TB_TORQUE_STEP) {
+    if (command > previous + step) {
         *flags |= TB_GATE_RATE;
-        return previous + TB_TORQUE_STEP;
+        return previous + step;
     }
-    if (command < previous - TB_TORQUE_STEP) {
+    if (command < previous - step) {
         *flags |= TB_GATE_RATE;
-        return previous - TB_TORQUE_STEP;
+        return previous - step;
     }
     return command;
+}
+
+uint32_t tb_gate(const tb_gate_limits *limits, tb_permission permission, real_t previous,
+                 real_t command, real_t *setpoint)
+{
+    uint32_t flags = TB_GATE_PASSED;
+    if (!is_within(previous, limits->low, limits->high)) {
+        flags = TB_GATE_BAD_PREVIOUS;
+        previous = limits->rest;
+    }
+    if (permission != TB_PERMIT_COMMAND) {
+        flags |= TB_GATE_NOT_PERMITTED;
+        command = limits->rest;
+    }
+    if (permission == TB_PERMIT_NOTHING) {
+        previous = limits->rest;
+    }
+    *setpoint = within_rate(limits->step, previous, within_limits(limits, command, &flags), &flags);
+    return flags;
 }
 
 uint32_t tb_torque_gate(real_t previous, real_t command, real_t *torque)
 {
-    uint32_t flags = TB_GATE_PASSED;
-    if (!is_within(previous, TB_C(0.0), TB_TORQUE_LIMIT)) {
-        flags = TB_GATE_BAD_PREVIOUS;
-        previous = TB_C(0.0);
-    }
-    *torque = within_rate(previous, within_limits(command, &flags), &flags);
-    return flags;
+    return tb_gate(&tb_cable_limits, TB_PERMIT_COMMAND, previous, command, torque);
 }

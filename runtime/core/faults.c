@@ -1,0 +1,191 @@
+#include "faults.h"
+
+#include "drive_orders.h"
+#include "states.h"
+
+bool tb_is_hard(tb_cause cause)
+{
+    switch (cause) {
+    case TB_CAUSE_DRIVE_SILENT:
+    case TB_CAUSE_DRIVE_FAULT:
+    case TB_CAUSE_DRIVE_STATE:
+    case TB_CAUSE_BUS_OFF:
+    case TB_CAUSE_ENCODER_JUMP:
+    case TB_CAUSE_CABLE_BREAK:
+    case TB_CAUSE_RUNAWAY:
+    case TB_CAUSE_MEMORY:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool tb_is_in_fault(const tb_drive_report *report)
+{
+    return (report->power == TB_POWER_FAULT) || (report->power == TB_POWER_FAULT_REACTION) ||
+           (report->error_class >= TB_ERROR_FAULT);
+}
+
+static bool is_silent(const tb_drive_report *report)
+{
+    return (report->silent != 0) || (report->missed > TB_MISSED_LIMIT);
+}
+
+/* Out of the ordered power state, or in another mode than the one it works in. */
+static bool has_left(const tb_drive_memory *drive, const tb_drive_report *report)
+{
+    if (report->power == TB_POWER_UNKNOWN) {
+        return true;
+    }
+    if (drive->reached == 0) {
+        return false;
+    }
+    bool const has_power = tb_is_power_of((tb_goal)drive->wanted.goal, (tb_power)report->power);
+    bool const follows = drive->wanted.goal == TB_GOAL_ENABLED;
+    return !has_power || (follows && (report->mode != drive->wanted.mode));
+}
+
+/* A base's coordinate means something once it is homed, and is then guided. */
+static bool is_position_known(const tb_supervisor *supervisor, size_t drive)
+{
+    return (drive < TB_CABLES) || (supervisor->guide.guided[drive - TB_CABLES] != 0);
+}
+
+static bool has_jumped(const tb_supervisor *supervisor, size_t drive)
+{
+    return is_position_known(supervisor, drive) &&
+           (supervisor->measurement.tracks[drive].jumped != 0);
+}
+
+static bool runs_away(const tb_supervisor *supervisor, size_t drive)
+{
+    real_t const speed = tb_measured_speed(&supervisor->measurement, drive);
+    return (drive < TB_CABLES) && (TB_ABS(speed) > TB_CABLE_SPEED_LIMIT);
+}
+
+/* What leaves no time. */
+static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observation *seen,
+                              size_t index)
+{
+    const tb_drive_report *const report = &seen->drives[index];
+    if (tb_is_in_fault(report) && (supervisor->phase != TB_PHASE_FAULT_RESET)) {
+        return tb_blame_for(TB_CAUSE_DRIVE_FAULT, index, report->error_code);
+    }
+    if (is_silent(report)) {
+        return tb_blame_for(TB_CAUSE_DRIVE_SILENT, index, report->missed);
+    }
+    if (has_left(&supervisor->drives[index], report)) {
+        return tb_blame_for(TB_CAUSE_DRIVE_STATE, index, report->statusword);
+    }
+    if (has_jumped(supervisor, index)) {
+        return tb_blame_for(TB_CAUSE_ENCODER_JUMP, index, 0);
+    }
+    if (runs_away(supervisor, index)) {
+        return tb_blame_for(TB_CAUSE_RUNAWAY, index, 0);
+    }
+    return tb_no_blame();
+}
+
+static tb_blame examine_drives(const tb_supervisor *supervisor, const tb_observation *seen)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        if (supervisor->drives[i].online != 0) {
+            tb_blame const blame = examine_drive(supervisor, seen, i);
+            if (blame.cause != TB_CAUSE_NONE) {
+                return blame;
+            }
+        }
+    }
+    return tb_no_blame();
+}
+
+static tb_blame find_late_drive(const tb_supervisor *supervisor, const tb_observation *seen)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        if ((supervisor->drives[i].online != 0) && (seen->drives[i].late > TB_MISSED_LIMIT)) {
+            return tb_blame_for(TB_CAUSE_DRIVE_LATE, i, seen->drives[i].late);
+        }
+    }
+    return tb_no_blame();
+}
+
+static tb_blame find_lost_bus(const tb_observation *seen)
+{
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        if (seen->buses[i].state >= TB_BUS_LOST) {
+            return tb_blame_for(TB_CAUSE_BUS_OFF, i, seen->buses[i].state);
+        }
+    }
+    return tb_no_blame();
+}
+
+/* Cycles with malformed frames weigh two SYNCs, a clean cycle takes one cycle off: what comes again
+ * and again adds up, what comes now and then does not. */
+static bool is_corrupt(uint16_t *weight, uint8_t divider, bool malformed)
+{
+    uint16_t const weight_of_sync = (uint16_t)(2 * divider);
+    uint16_t const limit = (uint16_t)(TB_MISSED_LIMIT * weight_of_sync);
+    if (malformed) {
+        *weight = (uint16_t)(((*weight < limit) ? *weight : limit) + weight_of_sync);
+    } else if (*weight > 0) {
+        *weight = (uint16_t)(*weight - 1);
+    }
+    return *weight > limit;
+}
+
+static tb_blame examine_bus(tb_supervisor *supervisor, const tb_bus_report *bus, size_t index)
+{
+    bool const corrupt =
+        is_corrupt(&supervisor->corrupt[index], tb_buses[index].divider, bus->malformed != 0);
+    if (bus->stranger != 0) {
+        return tb_blame_for(TB_CAUSE_STRANGER, index, bus->stranger);
+    }
+    if (bus->refused != 0) {
+        return tb_blame_for(TB_CAUSE_BUS_FULL, index, bus->refused);
+    }
+    return corrupt ? tb_blame_for(TB_CAUSE_BUS_CORRUPT, index, bus->malformed) : tb_no_blame();
+}
+
+/* In INIT a bus may be without any drive that takes frames, or full of what they said before. */
+static tb_blame examine_buses(tb_supervisor *supervisor, const tb_observation *seen)
+{
+    tb_blame worst = tb_no_blame();
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        tb_blame const blame = examine_bus(supervisor, &seen->buses[i], i);
+        bool const counts = (supervisor->state != TB_STATE_INIT) ||
+                            (blame.cause == TB_CAUSE_STRANGER);
+        worst = (counts && (worst.cause == TB_CAUSE_NONE)) ? blame : worst;
+    }
+    return worst;
+}
+
+static bool may_have_torque(const tb_supervisor *supervisor)
+{
+    return (supervisor->state >= TB_STATE_HOME) && (supervisor->state <= TB_STATE_SOFT_STOP);
+}
+
+static tb_blame find_soft_fault(tb_supervisor *supervisor, const tb_observation *seen)
+{
+    tb_blame blame = examine_buses(supervisor, seen);
+    if (blame.cause == TB_CAUSE_NONE) {
+        blame = find_late_drive(supervisor, seen);
+    }
+    if ((blame.cause == TB_CAUSE_NONE) && may_have_torque(supervisor)) {
+        if (seen->missed > TB_SKIPPED_LIMIT) {
+            blame = tb_blame_for(TB_CAUSE_CYCLES_MISSED, 0, seen->missed);
+        } else if ((seen->requests & TB_REQUEST_STOP) != 0) {
+            blame = tb_blame_for(TB_CAUSE_REQUESTED, 0, 0);
+        }
+    }
+    return blame;
+}
+
+tb_blame tb_find_fault(tb_supervisor *supervisor, const tb_observation *seen)
+{
+    tb_blame blame = find_lost_bus(seen);
+    if (blame.cause == TB_CAUSE_NONE) {
+        blame = examine_drives(supervisor, seen);
+    }
+    tb_blame const soft = find_soft_fault(supervisor, seen);
+    return (blame.cause == TB_CAUSE_NONE) ? soft : blame;
+}

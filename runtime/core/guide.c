@@ -1,0 +1,112 @@
+#include "guide.h"
+
+#include "tb_control.h"
+
+static const tb_guide nothing;
+
+void tb_guide_start(tb_guide *guide)
+{
+    *guide = nothing;
+}
+
+#if TB_RAILS > 0
+
+/* Rows of the memory of tb_base_pid: integral, previous rail coordinate, speed. */
+static void rest_at(tb_guide *guide, size_t rail, real_t position)
+{
+    real_t *const row = &guide->base[rail * TB_BASE_MEMORY];
+    row[0] = 0;
+    row[1] = position;
+    row[2] = 0;
+    guide->reference[rail] = position;
+}
+
+void tb_guide_take(tb_guide *guide, size_t rail, real_t position)
+{
+    rest_at(guide, rail, position);
+    guide->lagging[rail] = 0;
+    guide->guided[rail] = 1;
+}
+
+static void move_reference(real_t *reference, real_t target, real_t step)
+{
+    *reference += tb_min(tb_max(target - *reference, -step), step);
+}
+
+static void count_lag(tb_guide *guide, size_t rail, real_t position)
+{
+    bool const lags = TB_ABS(position - guide->reference[rail]) > TB_RAIL_LAG_LIMIT;
+    uint16_t const count = guide->lagging[rail];
+    guide->lagging[rail] = lags ? (uint16_t)(count + (count < UINT16_MAX)) : 0;
+}
+
+static void move_references(tb_guide *guide, const real_t rails[], const real_t targets[],
+                            real_t speed)
+{
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        if (guide->guided[i] != 0) {
+            move_reference(&guide->reference[i], targets[i], speed * TB_PERIOD);
+            count_lag(guide, i, rails[i]);
+        } else {
+            rest_at(guide, i, rails[i]);
+        }
+    }
+}
+
+void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                   const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS])
+{
+    move_references(guide, rails, targets, speed);
+    (void)tb_base_pid(guide->base, guide->reference, rails, guide->base, torque);
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        torque[i] = (guide->guided[i] != 0) ? (TB_PINION_RADIUS * torque[i]) : TB_C(0.0);
+    }
+}
+
+bool tb_guide_is_near(const real_t rails[TB_RAIL_SLOTS], const real_t targets[TB_RAIL_SLOTS],
+                      real_t distance)
+{
+    bool near = true;
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        near = near && (TB_ABS(rails[i] - targets[i]) <= distance);
+    }
+    return near;
+}
+
+size_t tb_guide_find_lost(const tb_guide *guide)
+{
+    size_t lost = 0;
+    while ((lost < TB_RAILS) && (guide->lagging[lost] <= TB_RAIL_LAG_CYCLES)) {
+        lost++;
+    }
+    return lost;
+}
+
+#else
+
+void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                   const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS])
+{
+    (void)guide;
+    (void)rails;
+    (void)targets;
+    (void)speed;
+    torque[0] = 0; /* the slot of an array that nobody fills or reads */
+}
+
+bool tb_guide_is_near(const real_t rails[TB_RAIL_SLOTS], const real_t targets[TB_RAIL_SLOTS],
+                      real_t distance)
+{
+    (void)rails;
+    (void)targets;
+    (void)distance;
+    return true;
+}
+
+size_t tb_guide_find_lost(const tb_guide *guide)
+{
+    (void)guide;
+    return TB_RAILS;
+}
+
+#endif

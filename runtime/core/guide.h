@@ -1,0 +1,42 @@
+/* Guide: moves bases along references of its own, while no controller does.
+ *
+ * A base that is guided has a reference, which goes to its target no faster than it is told to; a
+ * torque drive follows it by the machine's tb_base_pid, a position drive by itself. */
+#ifndef TB_GUIDE_H
+#define TB_GUIDE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "controller.h"
+#include "tb_drives.h"
+
+/** What moves the bases. */
+typedef struct {
+    real_t reference[TB_RAIL_SLOTS];               /* m */
+    real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY];   /* rows: see tb_base_pid */
+    uint16_t lagging[TB_RAIL_SLOTS];               /* cycles in a row too far from the reference */
+    uint8_t guided[TB_RAIL_SLOTS];                 /* 1 once a base is guided */
+} tb_guide;
+
+/** Guide no base. */
+void tb_guide_start(tb_guide *guide);
+
+/** From now on guide a base, which is at `position` [m] and rests. */
+void tb_guide_take(tb_guide *guide, size_t rail, real_t position);
+
+/** One cycle. rails, targets [m] (TB_RAIL_SLOTS); speed [m/s]: largest of the references.
+ *  torque [N m] (TB_RAIL_SLOTS): 0 for a base that is not guided. */
+void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                   const real_t targets[TB_RAIL_SLOTS], real_t speed,
+                   real_t torque[TB_RAIL_SLOTS]);
+
+/** Whether every base is within `distance` [m] of its target. */
+bool tb_guide_is_near(const real_t rails[TB_RAIL_SLOTS], const real_t targets[TB_RAIL_SLOTS],
+                      real_t distance);
+
+/** First base that has been more than TB_RAIL_LAG_LIMIT off its reference for more than
+ *  TB_RAIL_LAG_CYCLES, from 0; TB_RAILS for none. */
+size_t tb_guide_find_lost(const tb_guide *guide);
+
+#endif

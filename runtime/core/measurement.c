@@ -1,0 +1,96 @@
+#include "measurement.h"
+
+static const tb_track unknown;
+
+void tb_measurement_forget(tb_measurement *measurement, size_t drive)
+{
+    measurement->tracks[drive] = unknown;
+}
+
+/* Most that a drive can move in a cycle. */
+static real_t largest_move(size_t drive)
+{
+#if TB_RAILS > 0
+    return TB_PERIOD * ((drive < TB_CABLES) ? TB_CABLE_SPEED_LIMIT : TB_RAIL_SPEED_LIMIT);
+#else
+    (void)drive;
+    return TB_PERIOD * TB_CABLE_SPEED_LIMIT;
+#endif
+}
+
+static real_t position_now(const tb_track *track)
+{
+    return track->position + (track->rate * (real_t)track->age);
+}
+
+/* The first message may be wherever a drive can be; a NaN fails the comparison. */
+static bool is_believable(const tb_track *track, real_t position, real_t largest)
+{
+    real_t const farthest = TB_C(1e6);
+    real_t const bound = (track->known != 0) ? (largest * (real_t)track->age) : farthest;
+    return TB_ABS(position - position_now(track)) <= bound;
+}
+
+static void keep(tb_track *track, real_t position)
+{
+    if (track->known != 0) {
+        track->rate = (position - track->position) / (real_t)track->age;
+    }
+    track->known = 1;
+    track->position = position;
+    track->age = 0;
+}
+
+static void grow_older(tb_track *track, uint32_t skipped)
+{
+    uint16_t const left = (uint16_t)(UINT16_MAX - track->age);
+    track->age = (skipped < left) ? (uint16_t)(track->age + 1U + skipped) : UINT16_MAX;
+}
+
+static void take(tb_track *track, const tb_drive_report *report, real_t largest, uint32_t skipped)
+{
+    grow_older(track, skipped);
+    track->jumped = 0;
+    if (report->fresh != 0) {
+        if (is_believable(track, report->position, largest)) {
+            keep(track, report->position);
+        } else {
+            track->jumped = 1;
+        }
+    }
+}
+
+void tb_measurement_take(tb_measurement *measurement, const tb_drive_report reports[TB_DRIVES],
+                         uint32_t skipped)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        take(&measurement->tracks[i], &reports[i], largest_move(i), skipped);
+    }
+}
+
+real_t tb_measured_position(const tb_measurement *measurement, size_t drive)
+{
+    return position_now(&measurement->tracks[drive]);
+}
+
+void tb_measured_winding(const tb_measurement *measurement, real_t wound[TB_CABLES])
+{
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        wound[i] = tb_measured_position(measurement, i);
+    }
+}
+
+void tb_measured_rails(const tb_measurement *measurement, real_t rails[TB_RAIL_SLOTS])
+{
+#if TB_RAILS == 0
+    rails[0] = 0; /* the slot of an array that nobody fills or reads */
+#endif
+    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+        rails[i - TB_CABLES] = tb_measured_position(measurement, i);
+    }
+}
+
+real_t tb_measured_speed(const tb_measurement *measurement, size_t drive)
+{
+    return measurement->tracks[drive].rate / TB_PERIOD;
+}

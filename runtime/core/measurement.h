@@ -1,0 +1,48 @@
+/* Measurement: where cables and bases are in this cycle, from what their drives reported last.
+ *
+ * A base drive on a slower bus, or a drive whose answer was missed, tells nothing in some cycles.
+ * Its position is then taken to have gone on as between its last two messages. A message that is
+ * further from there than anything can have moved since the last one is a jump: the encoder's, not
+ * the machine's. Speed may well grow beyond the limit bit by bit: that is a runaway, no jump. */
+#ifndef TB_MEASUREMENT_H
+#define TB_MEASUREMENT_H
+
+#include <stddef.h>
+
+#include "drive.h"
+#include "tb_machine.h"
+
+/** A drive's position over time. */
+typedef struct {
+    real_t position; /* m, of its last message */
+    real_t rate;     /* m a cycle, between its last two messages */
+    uint16_t age;    /* cycles since the last message; stops at its largest value */
+    uint8_t known;   /* 1 from the first message on */
+    uint8_t jumped;  /* 1 when this cycle's message is a jump */
+} tb_track;
+
+/** All positions. */
+typedef struct {
+    tb_track tracks[TB_DRIVES];
+} tb_measurement;
+
+/** Forget where a drive was: its next message is no jump, wherever it is. */
+void tb_measurement_forget(tb_measurement *measurement, size_t drive);
+
+/** Take over this cycle's reports. skipped: cycles that were left out since the last one. */
+void tb_measurement_take(tb_measurement *measurement, const tb_drive_report reports[TB_DRIVES],
+                         uint32_t skipped);
+
+/** Position of a drive in this cycle [m]; always finite. */
+real_t tb_measured_position(const tb_measurement *measurement, size_t drive);
+
+/** Cable wound in [m] (TB_CABLES). */
+void tb_measured_winding(const tb_measurement *measurement, real_t wound[TB_CABLES]);
+
+/** Rail coordinates [m] (TB_RAIL_SLOTS). */
+void tb_measured_rails(const tb_measurement *measurement, real_t rails[TB_RAIL_SLOTS]);
+
+/** Speed of a drive between its last two messages [m/s], > 0 winds in. */
+real_t tb_measured_speed(const tb_measurement *measurement, size_t drive);
+
+#endif

@@ -1,0 +1,49 @@
+/* The states' steps: each runs one cycle of its state, changes what the drives shall do, goes on to
+ * the next phase or state by itself, and answers what went wrong, if anything. */
+#ifndef TB_STATES_H
+#define TB_STATES_H
+
+#include <stddef.h>
+
+#include "supervisor_memory.h"
+
+/** Nothing went wrong. */
+static inline tb_blame tb_no_blame(void)
+{
+    return (tb_blame){.cause = TB_CAUSE_NONE};
+}
+
+static inline tb_blame tb_blame_for(tb_cause cause, size_t culprit, uint32_t detail)
+{
+    return (tb_blame){.cause = (uint8_t)cause, .culprit = (uint16_t)culprit, .detail = detail};
+}
+
+/** Go on to a phase; its first cycle is the next one. */
+void tb_enter(tb_supervisor *supervisor, tb_state state, tb_phase phase);
+
+/* bring_up.c: INIT, IDENTIFY, CONFIGURE */
+tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen);
+tb_blame tb_identify(tb_supervisor *supervisor, const tb_observation *seen);
+tb_blame tb_configure(tb_supervisor *supervisor, const tb_observation *seen);
+
+/* homing.c: HOME, until the bases know where they are */
+void tb_begin_home(tb_supervisor *supervisor);
+tb_blame tb_home(tb_supervisor *supervisor, const tb_observation *seen);
+
+/* sweep.c: HOME, until the cables' lengths are known */
+void tb_begin_sweep(tb_supervisor *supervisor);
+tb_blame tb_sweep(tb_supervisor *supervisor, const tb_observation *seen);
+
+/* work.c: TENSION, RUN */
+void tb_begin_tension(tb_supervisor *supervisor);
+tb_blame tb_tension(tb_supervisor *supervisor, const tb_observation *seen);
+tb_blame tb_run(tb_supervisor *supervisor, const tb_observation *seen);
+
+/* stopping.c: SOFT_STOP, HARD_STOP, FAULT */
+void tb_begin_soft_stop(tb_supervisor *supervisor);
+tb_blame tb_soft_stop(tb_supervisor *supervisor, const tb_observation *seen);
+void tb_begin_hard_stop(tb_supervisor *supervisor);
+void tb_hard_stop(tb_supervisor *supervisor);
+void tb_begin_fault(tb_supervisor *supervisor);
+
+#endif

@@ -1,0 +1,125 @@
+#include "words.h"
+
+#include <stddef.h>
+
+static const char *const states[] = {
+    [TB_STATE_INIT] = "waiting for every drive to boot",
+    [TB_STATE_IDENTIFY] = "comparing the drives with the machine file",
+    [TB_STATE_CONFIGURE] = "configuring the drives",
+    [TB_STATE_HOME] = "homing bases, finding the cables' zeros",
+    [TB_STATE_TENSION] = "tensioning the cables",
+    [TB_STATE_RUN] = "running",
+    [TB_STATE_SOFT_STOP] = "stopping",
+    [TB_STATE_HARD_STOP] = "stopping at once",
+    [TB_STATE_FAULT] = "stopped by a fault",
+};
+
+static const char *const phases[] = {
+    [TB_PHASE_NONE] = "",
+    [TB_PHASE_CONTRACT] = "writing the drives' configuration",
+    [TB_PHASE_START] = "starting the drives",
+    [TB_PHASE_FAULT_RESET] = "resetting the drives' faults",
+    [TB_PHASE_READY] = "ready to arm",
+    [TB_PHASE_CABLE_MODE] = "cable drives to torque mode",
+    [TB_PHASE_CABLE_POWER] = "powering the cable drives",
+    [TB_PHASE_TIGHTEN] = "winding in slack",
+    [TB_PHASE_BASE_MODE] = "base drive to homing mode",
+    [TB_PHASE_BASE_POWER] = "powering a base drive",
+    [TB_PHASE_BASE_HOMING] = "a base runs to its stop",
+    [TB_PHASE_BASE_RELEASE] = "base drive off",
+    [TB_PHASE_BASE_WORK_MODE] = "base drive to its working mode",
+    [TB_PHASE_BASE_WORK_POWER] = "powering a base drive again",
+    [TB_PHASE_GATHER] = "bases to where their sweep begins",
+    [TB_PHASE_SWEEP] = "measuring poses: where no base moves, move the handle around",
+    [TB_PHASE_SOLVE] = "computing the cables' zeros",
+    [TB_PHASE_APPROACH] = "bases to the handle",
+    [TB_PHASE_CLOSE] = "checking that the lengths agree",
+    [TB_PHASE_RELAX] = "cables to minimum tension",
+    [TB_PHASE_SLACKEN] = "cables to no torque",
+    [TB_PHASE_POWER_OFF] = "switching the drives off",
+};
+
+static const char *const causes[] = {
+    [TB_CAUSE_NONE] = "",
+    [TB_CAUSE_REQUESTED] = "a stop was asked for",
+    [TB_CAUSE_DRIVE_MISSING] = "did not boot, or does not answer",
+    [TB_CAUSE_DRIVE_DIFFERENT] = "is not the drive of the machine file",
+    [TB_CAUSE_DRIVE_SETUP] = "did not take its configuration",
+    [TB_CAUSE_DRIVE_TWICE] = "two nodes have its number",
+    [TB_CAUSE_STRANGER] = "a node that the machine file does not know",
+    [TB_CAUSE_DRIVE_SILENT] = "stopped answering",
+    [TB_CAUSE_DRIVE_LATE] = "answers too late again and again",
+    [TB_CAUSE_DRIVE_FAULT] = "is in its fault state",
+    [TB_CAUSE_DRIVE_STATE] = "left its power state or mode",
+    [TB_CAUSE_DRIVE_STUCK] = "did not reach its power state or mode in time",
+    [TB_CAUSE_BUS_OFF] = "off, or its device has gone",
+    [TB_CAUSE_BUS_FULL] = "a frame could not be sent",
+    [TB_CAUSE_BUS_CORRUPT] = "malformed frames again and again",
+    [TB_CAUSE_CYCLES_MISSED] = "the control loop came too late",
+    [TB_CAUSE_HOMING] = "homing failed, or found no stop in time",
+    [TB_CAUSE_CALIBRATION] = "the cables' zeros could not be found",
+    [TB_CAUSE_ENCODER_JUMP] = "its position jumped",
+    [TB_CAUSE_CABLE_SLACK] = "is slack",
+    [TB_CAUSE_CABLE_BREAK] = "is broken, or has come off",
+    [TB_CAUSE_RUNAWAY] = "is faster than it may be",
+    [TB_CAUSE_CLOSURE] = "the measured lengths disagree",
+    [TB_CAUSE_BASE_LOST] = "its base does not follow",
+    [TB_CAUSE_CONTROLLER] = "the controller step failed too often",
+    [TB_CAUSE_MEMORY] = "the runtime's memory was damaged",
+};
+
+static const char *const culprits[] = {
+    [TB_CAUSE_NONE] = "",
+    [TB_CAUSE_REQUESTED] = "",
+    [TB_CAUSE_DRIVE_MISSING] = "drive",
+    [TB_CAUSE_DRIVE_DIFFERENT] = "drive",
+    [TB_CAUSE_DRIVE_SETUP] = "drive",
+    [TB_CAUSE_DRIVE_TWICE] = "drive",
+    [TB_CAUSE_STRANGER] = "bus",
+    [TB_CAUSE_DRIVE_SILENT] = "drive",
+    [TB_CAUSE_DRIVE_LATE] = "drive",
+    [TB_CAUSE_DRIVE_FAULT] = "drive",
+    [TB_CAUSE_DRIVE_STATE] = "drive",
+    [TB_CAUSE_DRIVE_STUCK] = "drive",
+    [TB_CAUSE_BUS_OFF] = "bus",
+    [TB_CAUSE_BUS_FULL] = "bus",
+    [TB_CAUSE_BUS_CORRUPT] = "bus",
+    [TB_CAUSE_CYCLES_MISSED] = "",
+    [TB_CAUSE_HOMING] = "drive",
+    [TB_CAUSE_CALIBRATION] = "",
+    [TB_CAUSE_ENCODER_JUMP] = "drive",
+    [TB_CAUSE_CABLE_SLACK] = "cable",
+    [TB_CAUSE_CABLE_BREAK] = "cable",
+    [TB_CAUSE_RUNAWAY] = "cable",
+    [TB_CAUSE_CLOSURE] = "",
+    [TB_CAUSE_BASE_LOST] = "drive",
+    [TB_CAUSE_CONTROLLER] = "",
+    [TB_CAUSE_MEMORY] = "",
+};
+
+#define COUNT(texts) (sizeof(texts) / sizeof((texts)[0]))
+
+static const char *text(const char *const texts[], size_t count, size_t number)
+{
+    return (number < count) ? texts[number] : "unknown";
+}
+
+const char *tb_state_text(tb_state state)
+{
+    return text(states, COUNT(states), (size_t)state);
+}
+
+const char *tb_phase_text(tb_phase phase)
+{
+    return text(phases, COUNT(phases), (size_t)phase);
+}
+
+const char *tb_cause_text(tb_cause cause)
+{
+    return text(causes, COUNT(causes), (size_t)cause);
+}
+
+const char *tb_culprit_text(tb_cause cause)
+{
+    return text(culprits, COUNT(culprits), (size_t)cause);
+}

@@ -1,0 +1,19 @@
+/* States and causes in words, for people. Texts are constant and never end. */
+#ifndef TB_WORDS_H
+#define TB_WORDS_H
+
+#include "supervisor.h"
+
+/** What the machine does in a state. */
+const char *tb_state_text(tb_state state);
+
+/** What it does in a phase; empty where the state says it all. */
+const char *tb_phase_text(tb_phase phase);
+
+/** What is wrong, to be read after the culprit's name. */
+const char *tb_cause_text(tb_cause cause);
+
+/** What the number of a cause's culprit counts: "drive", "cable", "bus" or "". */
+const char *tb_culprit_text(tb_cause cause);
+
+#endif
