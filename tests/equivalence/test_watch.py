@@ -176,7 +176,7 @@ def test_one_redundant_cable_shows_that_the_lengths_disagree_but_not_which(name:
                 watch.call("tb_watch_start")
                 verdict = watch.look_on(lengths, rails, fitted, residual)
                 assert verdict.cause == CLOSED
-                assert verdict.slack[cable] == pytest.approx(delta, rel=0.2)
+                assert verdict.slack[cable] == pytest.approx(delta, rel=0.5)
                 shown += 1
     assert shown > 10
 

@@ -1,0 +1,119 @@
+/* Flight recorder: the last seconds before a stop, to be run again to the bit.
+ *
+ * A ring of segments. Each begins with the supervisor's whole memory and goes on with what every
+ * cycle saw and ordered; what a cycle orders depends on nothing else, so any segment can be run
+ * again from its beginning: turnbuckle replay. When a fault is latched the recorder goes on for half
+ * of its length and then holds still, until the fault has been reset: the cause stays in it, however
+ * long the machine waits for somebody. A stop that was asked for is none.
+ *
+ * Pure: no input or output, no heap. A port that has stopped its cycles reads the recording out piece
+ * by piece and writes it wherever it can; the pieces one after the other are a recording file:
+ *
+ *   tb_recording_header
+ *   tb_segment, oldest first, cut behind its last cycle
+ *   tb_recording_end
+ *
+ * All are the C structs of the machine that recorded, with its byte order and its real_t; the header
+ * tells their sizes, so that a reader refuses what it would misread. lab/recording.py is a reader. */
+#ifndef TB_RECORDER_H
+#define TB_RECORDER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "supervisor.h"
+#include "supervisor_memory.h"
+#include "tb_machine.h"
+
+/* A port with little memory sets these smaller. A cycle of yoon2023 takes 944 bytes in double, so
+ * that 40 segments of 256 cycles, 10.24 s at 1 kHz, take 9.9 MB. */
+#ifndef TB_SEGMENT_CYCLES
+#define TB_SEGMENT_CYCLES 256u
+#endif
+#ifndef TB_RECORDER_SEGMENTS
+#define TB_RECORDER_SEGMENTS 40u
+#endif
+
+#define TB_RECORDING_MAGIC "TBFLIGHT"
+#define TB_RECORDING_END_MAGIC "TBLANDED"
+#define TB_RECORDING_VERSION 1u
+#define TB_RECORDING_BYTE_ORDER 0x01020304u
+#define TB_RECORDING_NAME 64 /* bytes, filled up with 0 */
+
+/** What a cycle saw and ordered. */
+typedef struct {
+    tb_observation seen;
+    tb_orders orders;
+} tb_recorded_cycle;
+
+/** Cycles without a gap, and the memory that the first one started from. */
+typedef struct {
+    uint64_t first; /* number of the first cycle; skipped ones are not counted */
+    uint32_t count; /* cycles in here */
+    uint32_t reserved;
+    tb_supervisor before;
+    tb_recorded_cycle cycles[TB_SEGMENT_CYCLES];
+} tb_segment;
+
+/** The recorder. */
+typedef struct {
+    uint64_t number; /* of the cycle that is next */
+    uint32_t opened; /* segments since the start */
+    uint32_t since;  /* cycles recorded since a fault was latched */
+    tb_segment segments[TB_RECORDER_SEGMENTS];
+} tb_recorder;
+
+/** First piece of a recording. */
+typedef struct {
+    char magic[8];
+    uint32_t version;
+    uint32_t byte_order;
+    uint32_t real_size;        /* bytes of the C types, here and below */
+    uint32_t head_size;        /* of tb_segment before its cycles */
+    uint32_t supervisor_size;
+    uint32_t observation_size;
+    uint32_t orders_size;
+    uint32_t cycle_size;       /* of tb_recorded_cycle */
+    uint32_t segments;         /* in this recording */
+    uint32_t segment_cycles;   /* most in a segment */
+    char machine[TB_RECORDING_NAME];
+    char hash[TB_RECORDING_NAME];
+} tb_recording_header;
+
+/** Last piece of a recording. */
+typedef struct {
+    char magic[8];
+    uint32_t checksum; /* CRC-32 (as in zip) of everything before this piece */
+    uint32_t reserved;
+} tb_recording_end;
+
+/** Forget everything. The next cycle is number 0 and starts from the supervisor's memory as it is. */
+void tb_recorder_start(tb_recorder *recorder, const tb_supervisor *supervisor);
+
+/** Keep a cycle: what it saw, what it ordered, and the memory it left. Call it after every
+ *  tb_supervisor_step, with nothing between that and the next one that changes the memory. */
+void tb_recorder_keep(tb_recorder *recorder, const tb_observation *seen, const tb_orders *orders,
+                      const tb_supervisor *supervisor);
+
+/** Reading a recording out. */
+typedef struct {
+    const tb_recorder *recorder;
+    uint32_t next; /* piece */
+    uint32_t checksum;
+    tb_recording_header header;
+    tb_recording_end end;
+} tb_recorder_reader;
+
+/** A piece of a recording; it lives as long as the reader, and no cycle may be kept meanwhile. */
+typedef struct {
+    const void *bytes;
+    size_t size; /* 0: there is none left */
+} tb_recorder_piece;
+
+/** Begin to read a recorder out. */
+void tb_recorder_open(tb_recorder_reader *reader, const tb_recorder *recorder);
+
+/** The next piece, until none is left. */
+tb_recorder_piece tb_recorder_read(tb_recorder_reader *reader);
+
+#endif
