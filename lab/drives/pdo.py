@@ -42,8 +42,12 @@ def set_defaults(objects: Objects, node: int) -> None:
         objects.put((RPDO + number, 1), 0x200 + 0x100 * number + node)
         valid = 0 if number == 0 else INVALID
         objects.put((TPDO + number, 1), NO_RTR | valid | 0x180 + 0x100 * number + node)
-        _set_map(objects, (RPDO | MAP_BIT) + number, (*RPDO_DEFAULTS, (0x60400010, 0x60710010))[number])
-        _set_map(objects, (TPDO | MAP_BIT) + number, (*TPDO_DEFAULTS, (0x60410010, 0x606C0020))[number])
+        _set_map(
+            objects, (RPDO | MAP_BIT) + number, (*RPDO_DEFAULTS, (0x60400010, 0x60710010))[number]
+        )
+        _set_map(
+            objects, (TPDO | MAP_BIT) + number, (*TPDO_DEFAULTS, (0x60410010, 0x606C0020))[number]
+        )
 
 
 def _set_map(objects: Objects, index: int, mapping: tuple[int, ...]) -> None:

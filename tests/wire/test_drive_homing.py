@@ -124,4 +124,3 @@ def test_an_encoder_can_freeze_and_jump() -> None:
     bench.rotors[0].angle = 9.0
     bench.wait(0.01)
     assert bench.drive.read(0x6064) == 1000
-

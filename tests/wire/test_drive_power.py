@@ -99,7 +99,8 @@ def test_torque_is_that_share_of_the_rated_one_and_never_beyond_the_current_limi
 
 
 @pytest.mark.parametrize(
-    ("option", "moving", "standing"), [(0, OFF, OFF), (1, 7, OFF), (2, 7, OFF), (5, 7, 7), (6, 7, 7)]
+    ("option", "moving", "standing"),
+    [(0, OFF, OFF), (1, 7, OFF), (2, 7, OFF), (5, 7, 7), (6, 7, 7)],
 )
 def test_quick_stop_ends_as_605a_says(option: int, moving: int, standing: int) -> None:
     bench = booted()

@@ -52,44 +52,48 @@ def network() -> Iterator[canopen.Network]:
     bench = Bench()
     with in_real_time(bench, can.Bus("drives", interface="virtual"), pace=0.2):
         network = canopen.Network()
+        network.NOTIFIER_CYCLE = 0.01
         network.connect(interface="virtual", channel="drives")
         yield network
         network.disconnect()
 
 
-def test_the_library_for_cia_402_brings_a_drive_up_and_down(network: canopen.Network) -> None:
+def set_up(network: canopen.Network) -> BaseNode402:
+    """The drive, operational, with SYNC and setpoints coming all the time."""
     node = BaseNode402(1, object_dictionary())
     network.add_node(node)
     node.nmt.wait_for_bootup(PATIENCE)
     map_torque(node)
-    node.sdo[0x6060].raw = 10
     node.nmt.state = "OPERATIONAL"
     node.setup_402_state_machine()
-    network.sync.start(0.005)
+    network.sync.start(0.002)
+    node.rpdo[1].start(0.002)
+    return node
+
+
+def test_the_library_for_cia_402_brings_a_drive_up_and_down(network: canopen.Network) -> None:
+    node = set_up(network)
+    node.sdo[0x6060].raw = 10
     for state in ("READY TO SWITCH ON", "SWITCHED ON", "OPERATION ENABLED"):
         node.state = state
         assert node.state == state
     node.rpdo[1][0x6071].raw = 100
     wait_until(lambda: node.tpdo[1][0x6077].raw == 100)
     node.state = "SWITCH ON DISABLED"
+    node.rpdo[1].stop()
     network.sync.stop()
 
 
 def test_the_library_homes_a_drive(network: canopen.Network) -> None:
-    node = BaseNode402(1, object_dictionary())
-    network.add_node(node)
-    node.nmt.wait_for_bootup(PATIENCE)
-    map_torque(node)
-    node.nmt.state = "OPERATIONAL"
-    node.setup_402_state_machine()
+    node = set_up(network)
     node.sdo[0x6098].raw = 37
     node.sdo[0x30B0].raw = 4711
-    network.sync.start(0.005)
     node.sdo[0x6060].raw = 6
     node.state = "OPERATION ENABLED"
     node.controlword = 0x1F
     wait_until(lambda: node.statusword & 0x3400 == 0x1400)
     assert read(node, 0x6064) == pytest.approx(4711, abs=5)
+    node.rpdo[1].stop()
     network.sync.stop()
 
 
@@ -98,6 +102,7 @@ def test_a_drive_answers_over_a_serial_line() -> None:
     bench, adapter = Bench(), SlcanAdapter()
     with in_real_time(bench, adapter, pace=1.0) as runner:
         network = canopen.Network()
+        network.NOTIFIER_CYCLE = 0.01
         network.connect(
             interface="slcan", channel=adapter.path, bitrate=1_000_000, sleep_after_open=0.0
         )
@@ -135,7 +140,9 @@ def test_a_frame_and_its_line_are_the_same(line: bytes) -> None:
     assert frame is not None and encode(frame) == line + b"\r"
 
 
-@pytest.mark.parametrize("line", [b"t", b"t12", b"t123", b"t1239", b"t1232AA", b"t1232AABBCC", b"tXYZ0"])
+@pytest.mark.parametrize(
+    "line", [b"t", b"t12", b"t123", b"t1239", b"t1232AA", b"t1232AABBCC", b"tXYZ0"]
+)
 def test_a_line_that_is_no_frame_is_none(line: bytes) -> None:
     assert decode(line) is None
 
