@@ -5,7 +5,7 @@ from struct import pack, unpack
 
 import canopen
 import pytest
-from canopen.sdo import SdoAbortedError
+from canopen.sdo.exceptions import SdoAbortedError
 
 from lab.drives.bus import SimulatedBus
 from lab.drives.drive import Drive
@@ -142,8 +142,8 @@ def abort_code(action: Callable[[], object]) -> int:
 def map_torque(node: canopen.RemoteNode) -> None:
     """Set the PDOs up as the runtime does."""
     for index, subindex, value in MAP_TORQUE:
-        number = node.id if index in COB_IDS and subindex == 1 else 0
-        write(node, index, subindex, value + number)
+        is_cob_id = index in COB_IDS and subindex == 1
+        write(node, index, subindex, value + (node.id or 0 if is_cob_id else 0))
 
 
 def running(bench: Bench, mode: int = 10) -> canopen.RemoteNode:

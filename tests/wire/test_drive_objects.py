@@ -3,8 +3,8 @@
 from struct import pack
 
 import pytest
-from canopen.sdo import SdoAbortedError
-from peer import Bench, abort_code, booted, map_torque, read, remote, running, enable, write
+from canopen.sdo.exceptions import SdoAbortedError
+from peer import Bench, abort_code, booted, enable, map_torque, read, remote, running, write
 
 from lab.drives.objects import entries
 
