@@ -72,10 +72,31 @@ class Path:
         return self._legs[max(bisect_right(self._begins, time) - 1, 0)].at(time)
 
 
+class Cue:
+    """A path that is not followed before its cue: until then the hand stays at its start."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._begun: float | None = None
+
+    def begin(self, time: float) -> None:
+        """The cue, at `time` [s]; a second one changes nothing."""
+        if self._begun is None:
+            self._begun = time
+
+    def elapsed(self, time: float) -> float:
+        """Time on the path [s]; 0 before the cue."""
+        return 0.0 if self._begun is None else time - self._begun
+
+    def at(self, time: float) -> tuple[Pair, Pair, Pair]:
+        """Position [m], velocity [m/s] and acceleration [m/s^2] that the hand wants."""
+        return self._path.at(self.elapsed(time))
+
+
 class Hand:
     """A hand that follows a path; the handle and the device may hold it back."""
 
-    def __init__(self, plant: Plant, path: Path) -> None:
+    def __init__(self, plant: Plant, path: Path | Cue) -> None:
         self.mass = plant.hand_mass
         self._stiffness = plant.hand_stiffness
         self._damping = plant.hand_damping

@@ -1,8 +1,8 @@
 """One cable of the plant: its motor, the cable itself, and its base on a rail or fixed.
 
 While it is taut the cable is rigid and massless (Yoon III-E), so the motor turns exactly as the
-distance l from handle to base changes, and the tension T is the force of that constraint. With a the
-acceleration of the handle and w the velocity of the base relative to the handle:
+distance l from handle to base changes, and the tension T is the force of that constraint. With a
+the acceleration of the handle and w the velocity of the base relative to the handle:
 
     r T = tau + (J l'' + B l') / r + dry friction              motor, tau > 0 pulls
     M s'' = f - friction - T lhat . e                          carriage on its rail
@@ -11,8 +11,8 @@ acceleration of the handle and w the velocity of the base relative to the handle
 These are linear in T and s''; eliminating s'' leaves T = pull - inertia lhat . a.
 
 A cable cannot push: where that T would be negative it hangs slack, T = 0, and the motor turns on
-its own. It takes hold again when all that was paid out is needed, with a jerk that leaves handle and
-motor at one speed. A broken cable never takes hold again.
+its own. It takes hold again when all that was paid out is needed, with a jerk that leaves handle
+and motor at one speed. A broken cable never takes hold again.
 """
 
 from dataclasses import dataclass

@@ -10,7 +10,7 @@ from functools import partial
 from math import inf
 from struct import Struct
 
-from canopen.sdo import SdoAbortedError
+from canopen.sdo.exceptions import SdoAbortedError
 
 from lab.drives import errors, pdo
 from lab.drives.node import NOT_ALLOWED, WRONG_STATE, Frame, Objects, SdoNode, Send

@@ -1,10 +1,11 @@
-"""SDO server of a simulated drive: python `canopen`'s LocalNode over the dictionary of objects.py."""
+"""SDO server of a simulated drive: python `canopen`'s LocalNode over the objects of objects.py."""
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 import canopen
-from canopen.sdo import SdoAbortedError, SdoServer
+from canopen.sdo.exceptions import SdoAbortedError
+from canopen.sdo.server import SdoServer
 
 from lab.drives.objects import Entry, Key, Signals, entries, indices, object_dictionary
 

@@ -53,7 +53,7 @@ class Entry:
     lowest: int | None = None
     highest: int | None = None
     choices: tuple[int, ...] | None = None
-    taken: bool = False  # an RPDO may map it
+    taken: bool = False  # an RPDO may map it, and a TPDO
     sent: bool = False  # a TPDO may map it
     power_off: bool = False  # written only while the power stage is off
     signal: str | None = None  # attribute of Signals
@@ -86,27 +86,22 @@ class Entry:
         )
 
 
+@dataclass(slots=True)
 class Signals:
     """Objects that change while the drive runs, by name; units as in the dictionary."""
 
-    __slots__ = (
-        "controlword",
-        "error_code",
-        "mode",
-        "mode_display",
-        "position",
-        "position_demand",
-        "statusword",
-        "target_position",
-        "target_torque",
-        "torque",
-        "torque_offset",
-        "velocity",
-    )
-
-    def __init__(self) -> None:
-        for name in self.__slots__:
-            setattr(self, name, 0)
+    controlword: int = 0
+    statusword: int = 0
+    error_code: int = 0
+    mode: int = 0
+    mode_display: int = 0
+    position: int = 0
+    position_demand: int = 0
+    velocity: int = 0
+    torque: int = 0
+    target_position: int = 0
+    target_torque: int = 0
+    torque_offset: int = 0
 
 
 def _communication() -> Iterator[Entry]:
@@ -175,7 +170,7 @@ def _vendor() -> Iterator[Entry]:
     yield Entry(
         0x3010, 1, "encoder pulses/turn", "I", "rw", 1024, lowest=16, highest=10**6, power_off=True
     )
-    yield Entry(0x30B0, 0, "home position", "i", "rw", taken=True, sent=True)
+    yield Entry(0x30B0, 0, "home position", "i", "rw", taken=True)
     yield Entry(0x30B1, 0, "home offset move distance", "i", "rw")
     yield Entry(0x30B2, 0, "current threshold for homing [mA]", "H", "rw", 500, taken=True)
     yield Entry(0x30D1, 0, "number of entries", "B", "const", 2)
@@ -191,16 +186,26 @@ def _mapped(entry: Entry) -> Entry:
 
 
 def _profile() -> Iterator[Entry]:
-    both = {"taken": True, "sent": True}
     yield Entry(0x6007, 0, "abort connection option code", "h", "rw", 3, lowest=0, highest=3)
     yield Entry(0x603F, 0, "error code", "H", "ro", sent=True, signal="error_code")
-    yield Entry(0x6040, 0, "controlword", "H", "rw", **both, signal="controlword")
+    yield Entry(0x6040, 0, "controlword", "H", "rw", taken=True, signal="controlword")
     yield Entry(0x6041, 0, "statusword", "H", "ro", sent=True, signal="statusword")
     yield Entry(0x605A, 0, "quick stop option code", "h", "rw", 6, choices=(0, 1, 2, 5, 6))
     yield Entry(0x605B, 0, "shutdown option code", "h", "rw", 0, lowest=0, highest=1)
     yield Entry(0x605C, 0, "disable operation option code", "h", "rw", 1, lowest=0, highest=1)
     yield Entry(0x605E, 0, "fault reaction option code", "h", "rw", 2, lowest=0, highest=2)
-    yield Entry(0x6060, 0, "modes of operation", "b", "rw", 1, choices=MODES, **both, signal="mode")
+    yield Entry(
+        0x6060,
+        0,
+        "modes of operation",
+        "b",
+        "rw",
+        1,
+        choices=MODES,
+        taken=True,
+        sent=True,
+        signal="mode",
+    )
     yield Entry(0x6061, 0, "mode display", "b", "ro", 1, sent=True, signal="mode_display")
     yield Entry(0x6062, 0, "position demand", "i", "ro", sent=True, signal="position_demand")
     yield Entry(0x6064, 0, "position actual", "i", "ro", sent=True, signal="position")
@@ -209,10 +214,19 @@ def _profile() -> Iterator[Entry]:
     yield Entry(0x6067, 0, "position window", "I", "rw", 0xFFFFFFFF, taken=True)
     yield Entry(0x6068, 0, "position window time", "H", "rw", 0, taken=True)
     yield Entry(0x606C, 0, "velocity actual [rpm]", "i", "ro", sent=True, signal="velocity")
-    yield Entry(0x6071, 0, "target torque [permille]", "h", "rw", **both, signal="target_torque")
+    yield Entry(
+        0x6071,
+        0,
+        "target torque [permille]",
+        "h",
+        "rw",
+        taken=True,
+        sent=True,
+        signal="target_torque",
+    )
     yield Entry(0x6076, 0, "motor rated torque [uN m]", "I", "ro")
     yield Entry(0x6077, 0, "torque actual [permille]", "h", "ro", sent=True, signal="torque")
-    yield Entry(0x607A, 0, "target position", "i", "rw", **both, signal="target_position")
+    yield Entry(0x607A, 0, "target position", "i", "rw", taken=True, signal="target_position")
     yield from _list(0x607D, "software position limit", "i", "rw", [0, 0])
     yield Entry(0x607F, 0, "max profile velocity [rpm]", "I", "rw", 50_000, lowest=1)
     yield Entry(0x6080, 0, "max motor speed [rpm]", "I", "rw", 50_000, lowest=1)
@@ -221,7 +235,16 @@ def _profile() -> Iterator[Entry]:
     yield Entry(0x6098, 0, "homing method", "b", "rw", 37, choices=HOMING_METHODS)
     yield from _list(0x6099, "homing speed [rpm]", "I", "rw", [100, 10], lowest=1)
     yield Entry(0x609A, 0, "homing acceleration [rpm/s]", "I", "rw", 1000, lowest=1)
-    yield Entry(0x60B2, 0, "torque offset [permille]", "h", "rw", **both, signal="torque_offset")
+    yield Entry(
+        0x60B2,
+        0,
+        "torque offset [permille]",
+        "h",
+        "rw",
+        taken=True,
+        sent=True,
+        signal="torque_offset",
+    )
     yield Entry(0x60C2, 0, "number of entries", "B", "const", 2)
     yield Entry(0x60C2, 1, "interpolation time", "B", "rw", 0, highest=100)
     yield Entry(0x60C2, 2, "interpolation time exponent", "b", "rw", -3, lowest=-3, highest=-3)

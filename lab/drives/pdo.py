@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from operator import attrgetter
 from struct import Struct
 
-from canopen.sdo import SdoAbortedError
+from canopen.sdo.exceptions import SdoAbortedError
 
 from lab.drives.node import NO_OBJECT, NO_SUBINDEX, NOT_ALLOWED, Frame, Objects
 from lab.drives.objects import MAPPED, PDOS, Entry, Key, entries, indices
@@ -27,8 +27,20 @@ WRONG_NMT_STATE = 0x0F00FFC0
 RPDO, TPDO = 0x1400, 0x1800
 MAP_BIT = 0x0200
 """Distance from a PDO's parameters to its mapping."""
-RPDO_DEFAULTS = ((0x60400010,), (0x60400010, 0x60600008), (0x60400010, 0x607A0020))
-TPDO_DEFAULTS = ((0x60410010,), (0x60410010, 0x60610008), (0x60410010, 0x60640020))
+DEFAULT_MAPS = {
+    RPDO: (
+        (0x60400010,),
+        (0x60400010, 0x60600008),
+        (0x60400010, 0x607A0020),
+        (0x60400010, 0x60710010),
+    ),
+    TPDO: (
+        (0x60410010,),
+        (0x60410010, 0x60610008),
+        (0x60410010, 0x60640020),
+        (0x60410010, 0x606C0020),
+    ),
+}
 
 
 def is_pdo_object(index: int) -> bool:
@@ -42,8 +54,8 @@ def set_defaults(objects: Objects, node: int) -> None:
         objects.put((RPDO + number, 1), 0x200 + 0x100 * number + node)
         valid = 0 if number == 0 else INVALID
         objects.put((TPDO + number, 1), NO_RTR | valid | 0x180 + 0x100 * number + node)
-        _set_map(objects, (RPDO | MAP_BIT) + number, (*RPDO_DEFAULTS, (0x60400010, 0x60710010))[number])
-        _set_map(objects, (TPDO | MAP_BIT) + number, (*TPDO_DEFAULTS, (0x60410010, 0x606C0020))[number])
+        for first, maps in DEFAULT_MAPS.items():
+            _set_map(objects, (first | MAP_BIT) + number, maps[number])
 
 
 def _set_map(objects: Objects, index: int, mapping: tuple[int, ...]) -> None:
@@ -120,7 +132,7 @@ def _check_mapped(mapped: int, sends: bool) -> None:
     if entry is None:
         known = mapped >> 16 in indices()
         raise SdoAbortedError(NO_SUBINDEX if known else NO_OBJECT)
-    mappable = entry.sent if sends else entry.taken
+    mappable = entry.taken or (sends and entry.sent)
     if not mappable or 8 * entry.size != mapped & 0xFF:
         raise SdoAbortedError(NOT_MAPPABLE)
 
@@ -191,7 +203,7 @@ class TransmitPdo(_Pdo):
             mapped, objects = self.mapped, self._objects
             return lambda: tuple(objects[entry.key] for entry in mapped)
         get, signals = attrgetter(*names), self._objects.signals
-        return lambda: get(signals)  # type: ignore[no-any-return]
+        return lambda: get(signals)
 
     def sample(self) -> Frame:
         """The values of this moment."""

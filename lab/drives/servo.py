@@ -21,9 +21,7 @@ from lab.drives.power import FAULT_RESET, MOVING, Command, Power, command, follo
 from lab.drives.setup import Ratings
 
 START_HOMING = 0x10
-VOLTAGE, WARNING, REMOTE, LIMITED, FOLLOWS, REFERENCED = (
-    1 << bit for bit in (4, 7, 9, 11, 12, 15)
-)
+VOLTAGE, WARNING, REMOTE, LIMITED, FOLLOWS, REFERENCED = (1 << bit for bit in (4, 7, 9, 11, 12, 15))
 ENERGISED = (Power.READY, Power.ON, Power.ENABLED, Power.QUICK_STOP)
 """States in which bit 4 of the statusword is set."""
 UNLIMITED_WINDOW = 0xFFFFFFFF
