@@ -54,8 +54,10 @@ CC_float := gcc $(CFLAGS) -DTB_REAL_FLOAT
 CC_cortex-m4f := arm-none-eabi-gcc $(CFLAGS) -DTB_REAL_FLOAT \
   -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -fno-move-loop-stores
 LIBRARIES := $(foreach name,$(basename $(notdir $(MACHINES))),$(TARGETS:%=build/$(name)/%/libturnbuckle.a))
+# The program that runs a machine with buses on Linux.
+PROGRAMS := $(patsubst generated/%/tb_drives.c,build/%/turnbuckle,$(wildcard generated/*/tb_drives.c))
 
-build: $(SETUP) $(LIBRARIES) ## compile generated and runtime C of every machine: double, float, Cortex-M4F
+build: $(SETUP) $(LIBRARIES) $(PROGRAMS) ## compile generated and runtime C of every machine: double, float, Cortex-M4F; and its Linux program
 
 # A machine with buses takes the whole runtime but what needs an operating system, the others the step.
 STEP := runtime/core/controller.c runtime/core/torque_gate.c
@@ -73,6 +75,11 @@ build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch]) $$(call runtime_of
 	  $(CC_$(*F)) -Igenerated/$(*D) $(INCLUDES) -c $$file -o $(@D)/$$(basename $$file .c).o; \
 	done
 	@ar rcs $@ $(@D)/*.o
+
+build/%/turnbuckle: $$(wildcard generated/$$*/*.[ch] runtime/*/*.[ch] runtime/port/linux/*.[ch]) Makefile
+	@echo "build $*/turnbuckle"
+	@mkdir -p $(@D)
+	@$(CC_double) -Igenerated/$* $(INCLUDES) -Iruntime/port/linux $(filter %.c,$^) -o $@
 
 demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 	@$(TURNBUCKLE) demo $(MACHINE)

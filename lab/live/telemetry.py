@@ -103,6 +103,7 @@ def layout_of(counts: Record) -> Layout:
                 ("lateness", histogram),
                 ("computing", histogram),
                 ("buses", BUS, buses),
+                ("doing", f"S{TEXT}"),
                 ("cause", f"S{TEXT}"),
             ],
             align=True,

@@ -59,8 +59,8 @@ def headline(telemetry: Telemetry, reading: Reading) -> Text:
     state = word(STATES, int(cycle["state"]))
     text.append("\n")
     text.append(state, style=STYLES.get(state, "bold cyan"))
-    text.append(f"  phase {cycle['phase']}")
-    text.append(f"  cycle {cycle['number']}")
+    text.append(f"  {reading.status['doing'].decode(errors='replace')}")
+    text.append(f"  cycle {cycle['number']}", style="dim")
     if cause := reading.status["cause"].decode(errors="replace"):
         text.append(f"\n{cause}", style="red" if state == "FAULT" else "yellow")
     return text

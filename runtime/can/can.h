@@ -73,6 +73,7 @@ typedef struct {
     uint32_t malformed;  /* what arrived and was no frame */
     uint32_t bus_errors; /* error frames, or errors that the adapter reported */
     uint32_t bus_off;    /* times the bus was cut off */
+    uint64_t bits;       /* tb_can_bits of all frames sent and received */
 } tb_can_statistics;
 
 typedef struct tb_can_port tb_can_port;
@@ -91,16 +92,28 @@ struct tb_can_port {
     tb_can_statistics statistics;
 };
 
+/** Bits that a classic frame takes on the bus, with the pause behind it; stuff bits not counted. */
+static inline uint64_t tb_can_bits(const tb_can_frame *frame)
+{
+    bool const has_data = (frame->flags & TB_CAN_REMOTE) == 0;
+    uint64_t const frame_bits = ((frame->flags & TB_CAN_EXTENDED) != 0) ? 67u : 47u;
+    return frame_bits + (has_data ? (uint64_t)frame->length * 8u : 0u);
+}
+
 /** Send a frame, now or never. */
 static inline tb_can_result tb_can_send(tb_can_port *port, const tb_can_frame *frame)
 {
-    return port->driver->send(port, frame);
+    tb_can_result const result = port->driver->send(port, frame);
+    port->statistics.bits += (result == TB_CAN_OK) ? tb_can_bits(frame) : 0u;
+    return result;
 }
 
 /** Take the frame that has waited longest; TB_CAN_EMPTY where there is none. */
 static inline tb_can_result tb_can_receive(tb_can_port *port, tb_can_frame *frame)
 {
-    return port->driver->receive(port, frame);
+    tb_can_result const result = port->driver->receive(port, frame);
+    port->statistics.bits += (result == TB_CAN_OK) ? tb_can_bits(frame) : 0u;
+    return result;
 }
 
 /** How the bus is. */

@@ -12,6 +12,7 @@
 #include "telemetry.h"
 
 #define STOPPED 0
+#define FAILED 1
 #define CANNOT 2
 
 /** All memory of the program: there is no other. */
@@ -40,10 +41,10 @@ static int run(tb_program *program)
 {
     tb_master_start(&program->master, program->buses.ports);
     tb_end const end = tb_loop_run(&program->loop);
-    tb_record_write(&program->record, &program->master);
+    bool const recorded = tb_record_write(&program->record, &program->master.recorder);
     int const status = tb_report(&program->loop, end);
     tb_buses_close(&program->buses);
-    return status;
+    return recorded ? status : FAILED;
 }
 
 int main(int argc, char *argv[])

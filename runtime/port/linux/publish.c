@@ -1,6 +1,9 @@
 #include "publish.h"
 
 #include <stddef.h>
+#include <string.h>
+
+#include "sentence.h"
 
 static void widen(size_t count, const real_t from[], double to[])
 {
@@ -83,12 +86,19 @@ static tb_telemetry_bus count_bus(tb_can_port *port, const tb_bus_table *bus)
     };
 }
 
+static void tell_in_words(const tb_orders *orders, tb_telemetry_status *status)
+{
+    strncpy(status->doing, tb_sentence_of_state(orders), sizeof status->doing - 1u);
+    tb_sentence_of_cause(orders, sizeof status->cause, status->cause);
+}
+
 static void publish_status(const tb_loop *loop)
 {
     tb_telemetry_status status = {.published = loop->number + 1u, .times = loop->times};
     for (size_t i = 0; i < TB_BUSES; i++) {
         status.buses[i] = count_bus(loop->ports[i], &tb_buses[i]);
     }
+    tell_in_words(&loop->master->orders, &status);
     tb_telemetry_tell(loop->telemetry, &status);
 }
 

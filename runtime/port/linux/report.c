@@ -4,7 +4,7 @@
 #include <stddef.h>
 
 #include "say.h"
-#include "words.h"
+#include "sentence.h"
 
 static double microseconds(int64_t nanoseconds)
 {
@@ -49,7 +49,7 @@ static int report_end(const tb_loop *loop, tb_end end)
     bool const asked = (orders->cause == TB_CAUSE_NONE) || (orders->cause == TB_CAUSE_REQUESTED);
     if (!asked) {
         char cause[TB_TELEMETRY_TEXT];
-        tb_words_of_cause(orders, cause);
+        tb_sentence_of_cause(orders, sizeof cause, cause);
         tb_say("stopped: %s", cause);
     }
     if (end == TB_END_NOT_OFF) {

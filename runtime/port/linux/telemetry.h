@@ -99,7 +99,8 @@ typedef struct {
     uint64_t published; /* cycles in the ring so far */
     tb_loop_times times;
     tb_telemetry_bus buses[TB_BUSES];
-    char cause[TB_TELEMETRY_TEXT]; /* why the machine stopped, in words; empty for no cause */
+    char doing[TB_TELEMETRY_TEXT]; /* what the machine does, in words */
+    char cause[TB_TELEMETRY_TEXT]; /* why it stopped, in words; empty for no cause */
 } tb_telemetry_status;
 
 /** A drive in one cycle. */

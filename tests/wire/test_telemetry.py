@@ -1,0 +1,209 @@
+"""The shared file of a program: layout, and what a reader sees while it is being written."""
+
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from codegen.compile import compile_program
+from lab.live import LiveError
+from lab.live.program import FOLDERS, RUNTIME
+from lab.live.telemetry import BUS, COUNTS, DRIVE, Record, Telemetry, layout_of
+
+WRITER = Path(__file__).with_name("telemetry_writer.c")
+PORT = RUNTIME / "port" / "linux"
+ENDLESS = 10**12
+READINGS = 8_000
+
+
+def compile_writer(folder: Path, port: Path) -> Path:
+    """The writer, with the telemetry of a folder like runtime/port/linux."""
+    sources = [WRITER, port / "telemetry.c", PORT / "histogram.c", PORT / "say.c"]
+    return compile_program([*sources, folder / "tb_drives.c"], [folder, *FOLDERS])
+
+
+@pytest.fixture(scope="module")
+def writer(stock_folder: Path) -> Path:
+    """A program that writes telemetry as fast as it can."""
+    return compile_writer(stock_folder, PORT)
+
+
+@pytest.fixture
+def path() -> Iterator[Path]:
+    """A place for a shared file, in memory as in operation."""
+    path = Path(f"/dev/shm/turnbuckle-test-{os.getpid()}")
+    yield path
+    path.unlink(missing_ok=True)
+
+
+@pytest.fixture
+def written(writer: Path, path: Path) -> Iterator[Telemetry]:
+    """The file of a writer that has ended after 10 000 cycles."""
+    subprocess.run([writer, path, "10000"], check=True)
+    telemetry = Telemetry(path)
+    yield telemetry
+    telemetry.close()
+
+
+def torn_readings(program: Path, path: Path) -> int:
+    """How many of many readings of a file that is being written are a mixture of two."""
+    with subprocess.Popen([program, path, str(ENDLESS)]) as process:
+        try:
+            while not path.exists():
+                assert process.poll() is None
+            telemetry = opened(path)
+            torn = sum(
+                is_torn(telemetry.status()) + is_torn(telemetry.latest()) for _ in range(READINGS)
+            )
+            assert not telemetry.ended
+        finally:
+            process.kill()
+    telemetry.close()
+    return torn
+
+
+def opened(path: Path) -> Telemetry:
+    """The file, as soon as it is ready."""
+    while True:
+        try:
+            return Telemetry(path)
+        except LiveError:
+            continue
+
+
+def is_torn(record: Record | None) -> bool:
+    """Whether words behind the sequence come from different writings."""
+    if record is None:
+        return False
+    words = np.frombuffer(record.tobytes(), np.uint64)[1:]
+    return bool((words != words[0]).any())
+
+
+def test_what_is_read_while_it_is_written_is_never_a_mixture(writer: Path, path: Path) -> None:
+    assert torn_readings(writer, path) == 0
+
+
+def test_a_writer_that_does_not_mark_its_writing_is_caught(
+    stock_folder: Path, path: Path, tmp_path: Path
+) -> None:
+    source = (PORT / "telemetry.c").read_text()
+    seeded = source.replace("even - 1u, memory_order_relaxed", "even, memory_order_relaxed")
+    assert seeded != source
+    (tmp_path / "telemetry.c").write_text(seeded)
+    assert torn_readings(compile_writer(stock_folder, tmp_path), path) > 0
+
+
+def test_the_ring_holds_the_last_cycles_and_no_others(written: Telemetry) -> None:
+    slots = int(written.counts["slots"])
+    kept = [number for number in range(10_000) if written.cycle(number) is not None]
+    assert kept == list(range(10_000 - slots, 10_000))
+    latest = written.latest()
+    assert latest is not None and latest["number"] == 9_999
+
+
+def test_a_reader_knows_that_the_program_has_ended(written: Telemetry) -> None:
+    assert written.ended
+
+
+def test_the_machine_and_its_names_are_in_the_file(written: Telemetry) -> None:
+    assert written.machine == "yoon2023"
+    assert len(written.hash) == 16
+    assert written.drive_names == [f"{kind}_{i}" for kind in ("cable", "base") for i in range(1, 5)]
+    assert written.bus_names == ["cable1", "cable2", "base"]
+
+
+def test_every_field_is_where_the_reader_takes_it_from(
+    written: Telemetry, stock_folder: Path, tmp_path: Path
+) -> None:
+    layout = layout_of(written.counts)
+    structs: dict[str, np.dtype[Any]] = {
+        "tb_telemetry_header": COUNTS,
+        "tb_telemetry_status": layout.status,
+        "tb_telemetry_cycle": layout.cycle,
+        "tb_telemetry_inbox": layout.inbox,
+        "tb_telemetry_drive": DRIVE,
+        "tb_telemetry_bus": BUS,
+    }
+    assert c_offsets(structs, stock_folder, tmp_path) == python_offsets(structs)
+
+
+LOOP_TIMES = ("missed", "longest_gap", "lateness", "computing")
+"""Fields that the C keeps in a struct of their own."""
+
+
+def python_offsets(structs: dict[str, np.dtype[Any]]) -> dict[str, int]:
+    """Offset of every field of the reader's records."""
+    offsets = {}
+    for struct, dtype in structs.items():
+        assert dtype.fields is not None
+        for name, (_, offset, *_title) in dtype.fields.items():
+            offsets[f"{struct}.{name}"] = int(offset)
+    return offsets
+
+
+def c_offsets(
+    structs: dict[str, np.dtype[Any]], folder: Path, scratch: Path
+) -> dict[str, int]:
+    """The same, as the C compiler sees it."""
+    lines = []
+    for struct, dtype in structs.items():
+        for name in dtype.names or ():
+            nested = struct == "tb_telemetry_status" and name in LOOP_TIMES
+            field = f"times.{name}" if nested else name
+            lines.append(f'printf("{struct}.{name} %zu\\n", offsetof({struct}, {field}));')
+    source = scratch / "offsets.c"
+    source.write_text(
+        "#include <stddef.h>\n#include <stdio.h>\n#include \"telemetry.h\"\n"
+        "int main(void)\n{\n" + "\n".join(lines) + "\nreturn 0;\n}\n"
+    )
+    program = compile_program([source], [folder, *FOLDERS])
+    printed = subprocess.run([program], check=True, capture_output=True, text=True).stdout
+    return {name: int(offset) for name, offset in map(str.split, printed.splitlines())}
+
+
+def test_two_programs_do_not_share_a_file(writer: Path, path: Path) -> None:
+    with subprocess.Popen([writer, path, str(ENDLESS)]) as first:
+        try:
+            opened(path).close()
+            second = subprocess.run([writer, path, "1"], capture_output=True, text=True)
+            assert second.returncode == 2
+            assert f"{path}: another program controls this machine" in second.stderr
+            assert first.poll() is None
+        finally:
+            first.kill()
+
+
+def test_a_file_of_another_version_is_refused(written: Telemetry, path: Path) -> None:
+    content = bytearray(path.read_bytes())
+    content[8] += 1
+    path.write_bytes(content)
+    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 2; allowed: 1"):
+        Telemetry(path)
+
+
+@pytest.mark.parametrize("content", [b"", b"TBTELEM\0", b"something else" * 100])
+def test_a_file_that_is_no_telemetry_is_refused(path: Path, content: bytes) -> None:
+    path.write_bytes(content)
+    with pytest.raises(LiveError, match=f"{path}: found .*; allowed: telemetry of a turnbuckle"):
+        Telemetry(path)
+
+
+@pytest.mark.parametrize("field", ["bytes", "status_at", "cycle_bytes", "slots", "inbox_bytes"])
+def test_a_file_whose_layout_is_another_is_refused(
+    written: Telemetry, path: Path, field: str
+) -> None:
+    assert COUNTS.fields is not None
+    content = bytearray(path.read_bytes())
+    content[int(COUNTS.fields[field][1])] ^= 8
+    path.write_bytes(content)
+    with pytest.raises(LiveError, match="allowed: telemetry of a turnbuckle"):
+        Telemetry(path)
+
+
+def test_no_file_says_how_to_start_a_program(path: Path) -> None:
+    with pytest.raises(LiveError, match=f"{path}: no program has written telemetry here"):
+        Telemetry(path)
