@@ -60,12 +60,32 @@ class Moved:
     none: Bools
 
 
-def moved(p: Problem, other: Wide, method: Method) -> Moved:
-    """A method of S and a second argument, with all as it is and a hair off."""
+def moved(p: Problem, other: Wide, method: Method, gain: Wide | float = 1.0) -> Moved:
+    """A method of S and a second argument, with all as it is and, closely, a hair off.
+
+    gain (count): what rounding of the method's own grows by.
+    """
+    results = [method(p.machine, p["structure"], other)]
+    if p.closely:
+        results += a_hair_off(p, other, method)
+    rows = [np.isfinite(r).reshape(p.count, -1).all(axis=1) for r in results]
+    value = results[0]
+    with np.errstate(invalid="ignore"):
+        gaps = [np.abs(r - value) for r in results[1:]]
+    gaps = [np.where(np.isnan(gap), np.inf, gap) for gap in gaps]
+    largest = np.max(gaps, axis=0) if gaps else np.zeros_like(value)
+    own = gain * ROUNDINGS * p.epsilon * np.max(np.abs(value).reshape(p.count, -1), axis=1)
+    slack = MARGIN * largest + broadcast(own, value)
+    some, every = np.logical_or.reduce(rows), np.logical_and.reduce(rows)
+    return Moved(value, np.where(np.isnan(slack), np.inf, slack), some, ~every)
+
+
+def a_hair_off(p: Problem, other: Wide, method: Method) -> list[Wide]:
+    """Results with bounds, S and the second argument moved, either way."""
     random = np.random.default_rng(1)
     structure, hair = p["structure"], TENSION_ROUNDINGS * p.epsilon
     size = norm(other)[:, None] if other.ndim > 1 else np.abs(other)
-    results = [method(p.machine, structure, other)]
+    results = []
     for move in (hair, -hair):
         results.append(method(with_bounds(p.machine, move), structure, other))
     for _ in range(DIRECTIONS):
@@ -76,15 +96,7 @@ def moved(p: Problem, other: Wide, method: Method) -> Moved:
             stretched = structure * (1 + move * stretch)
             results.append(method(p.machine, stretched, other + move * push))
             results.append(method(p.machine, structure + move * turn, other))
-    rows = [np.isfinite(r).reshape(p.count, -1).all(axis=1) for r in results]
-    value = results[0]
-    with np.errstate(invalid="ignore"):
-        gaps = [np.abs(r - value) for r in results[1:]]
-    largest = np.max([np.where(np.isnan(gap), np.inf, gap) for gap in gaps], axis=0)
-    own = ROUNDINGS * p.epsilon * np.max(np.abs(value).reshape(p.count, -1), axis=1)
-    slack = MARGIN * largest + broadcast(own, value)
-    some, every = np.logical_or.reduce(rows), np.logical_and.reduce(rows)
-    return Moved(value, np.where(np.isnan(slack), np.inf, slack), some, ~every)
+    return results
 
 
 def told(
@@ -172,8 +184,9 @@ def in_proportion(method: Callable[[Machine, Wide, float], Wide]) -> Method:
 
 def largest_tensions_eq12(p: Problem) -> Expected:
     """A set of dependent cables is a fault; it counts as that by pivots of all its facets."""
-    found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq12))
     least, limit = least_of_sets(p, smallest_singular_value), rank_limit(p.epsilon)
+    gain = 1 / np.maximum(least, limit)
+    found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq12), gain)
     singular = (least < limit / RANK_FACTOR / p.machine.dof, least < limit * RANK_FACTOR)
     some = Moved(
         np.where(np.isfinite(found.value), found.value, 0),
@@ -203,8 +216,9 @@ def largest_tension(p: Problem) -> Expected:
     def least(machine: Machine, structure: Wide, force: Wide) -> Wide:
         without = force <= 0
         size = np.where(without, 1, force)
-        some = brau.largest_tension(machine, structure / size[:, None, None], 1.0)
-        return np.where(without, brau.largest_tension(machine, structure, 0.0), some)
+        result = brau.largest_tension(machine, structure / size[:, None, None], 1.0)
+        result[without] = brau.largest_tension(machine, structure[without], 0.0)
+        return result
 
     found = out_of_reach(p, moved(p, p["force"], least))
     return told(p, found, 0.0, {Status.SINGULAR: rank(p, p["structure"])[1]})

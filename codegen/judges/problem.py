@@ -1,7 +1,7 @@
 """What a judge is asked, what it answers, and how answers are put together."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -20,12 +20,17 @@ ROUNDINGS = 64.0
 
 @dataclass(frozen=True)
 class Problem:
-    """Arguments by name (count, *shape), wide, and the spacing of the precision that is judged."""
+    """Arguments by name (count, *shape), wide, and the spacing of the precision that is judged.
+
+    `closely`: whether to ask as well what a problem a hair off would answer, which takes many times
+    as long and only ever allows more.
+    """
 
     machine: Machine
     epsilon: float
     arguments: dict[str, Wide]
     solved: dict[str, Any] = field(default_factory=dict)
+    closely: bool = True
 
     def __getitem__(self, name: str) -> Wide:
         return self.arguments[name]
@@ -34,6 +39,15 @@ class Problem:
     def count(self) -> int:
         """Number of points."""
         return len(next(iter(self.arguments.values())))
+
+    def at_first(self) -> "Problem":
+        """The same, not looked at closely."""
+        return replace(self, closely=False)
+
+    def among(self, rows: NDArray[np.intp]) -> "Problem":
+        """Some of the points, looked at closely."""
+        arguments = {name: values[rows] for name, values in self.arguments.items()}
+        return Problem(self.machine, self.epsilon, arguments)
 
 
 @dataclass(frozen=True)
@@ -47,6 +61,21 @@ class Expected:
     tolerance: dict[str, Wide]
     allowed: Bools
     beside_header: bool = True
+
+    def corrected(self, rows: NDArray[np.intp], closer: "Expected") -> "Expected":
+        """What a closer look at some of the points expects there."""
+
+        def patched(whole: Any, part: Any) -> Any:
+            result = np.array(whole)
+            result[rows] = part
+            return result
+
+        return replace(
+            self,
+            values={k: patched(v, closer.values[k]) for k, v in self.values.items()},
+            tolerance={k: patched(v, closer.tolerance[k]) for k, v in self.tolerance.items()},
+            allowed=patched(self.allowed, closer.allowed),
+        )
 
 
 Judge = Callable[[Problem], Expected]

@@ -34,6 +34,14 @@ def zero_wrench(p: Problem) -> Bounded:
     return found
 
 
+def zero_tension(p: Problem) -> Wide:
+    """T0 at the pose, computed once; NaN where there is none."""
+    if "zero tension" not in p.solved:
+        tension = quality.zero_wrench_tension(p.machine, p["pose"], p["rails"])
+        p.solved["zero tension"] = tension
+    return np.asarray(p.solved["zero tension"])
+
+
 def of_quality(
     p: Problem, name: str, value: Wide, outside: float, slack: Wide, ranked: bool
 ) -> Expected:
@@ -57,7 +65,7 @@ def on_the_border(p: Problem) -> Bools:
 
 def zero_wrench_tension(p: Problem) -> Expected:
     found = zero_wrench(p)
-    value = quality.zero_wrench_tension(p.machine, p["pose"], p["rails"])
+    value = zero_tension(p)
     slack = found.tension_slack * direction_gain(p)[:, None]
     slack = slack + np.where(on_the_border(p), p.machine.tension.max, 0)[:, None]
     return of_quality(p, "tension", value, p.machine.tension.min, slack, ranked=True)
@@ -65,7 +73,7 @@ def zero_wrench_tension(p: Problem) -> Expected:
 
 def tension_factor(p: Problem) -> Expected:
     """min T0 / max T0 moves by at most twice the largest tension error over T_min."""
-    value = quality.tension_factor(p.machine, p["pose"], p["rails"])
+    value = quality.factor(zero_tension(p))
     moved = np.max(zero_wrench(p).tension_slack, axis=-1) * direction_gain(p)
     low = p.machine.tension.min
     slack = (2 * moved / low if low else 0 * moved) + on_the_border(p)

@@ -20,7 +20,7 @@ from model.machine import Machine
 from model.reference import tension
 from model.reference.arrays import norm
 from model.reference.planar import minors
-from model.reference.wrench_set import slabs
+from model.reference.wrench_set import by_slabs, slabs
 from model.symbolic import rank as limits
 from model.symbolic.function import Status
 from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
@@ -84,19 +84,23 @@ def narrowest_share(columns: Wide, free: Bools) -> Wide:
 
 
 def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
-    """The reference's distribution, and those with bounds a hair wider and tighter.
+    """The reference's distribution and, closely, those with bounds a hair wider and tighter.
 
     Moved bounds show what rounding does at borders; twice that is allowed.
     """
     machine, relative = p.machine, TENSION_ROUNDINGS * p.epsilon
     bounds = machine.tension
     answer = tension.distribute_tension(machine, structure, wrench, policy)
-    wide, tight = (
-        tension.distribute_tension(with_bounds(machine, sign * relative), structure, wrench, policy)
-        for sign in (1, -1)
-    )
+    wide = tight = answer
+    if p.closely:
+        wide, tight = (
+            tension.distribute_tension(
+                with_bounds(machine, sign * relative), structure, wrench, policy
+            )
+            for sign in (1, -1)
+        )
     judge = paper_verdicts if policy == "paper" else verdicts
-    feasible, infeasible = judge(machine, p.epsilon, structure, wrench)
+    feasible, infeasible = judge(p, structure, wrench)
     lever = levers(machine)
     levered = structure / lever[:, None]
     gain = amplification(levered, answer.tension, bounds.min, bounds.max)
@@ -138,10 +142,15 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
 
 
 def nearly_parallel(p: Problem, structure: Wide) -> Bools:
-    """Where d cables, not quite dependent, are so near it that a corner of them may close."""
-    columns = np.swapaxes(structure / levers(p.machine)[:, None], -1, -2)
-    none = np.zeros(columns.shape[:2], dtype=bool)
-    return np.asarray(narrowest_share(columns, none) < 8 * p.epsilon**0.25)
+    """Where d cables, not quite dependent, are so near it that a corner of them may close.
+
+    Found once for all functions that take these arguments: they have one structure.
+    """
+    if "narrowest" not in p.solved:
+        columns = np.swapaxes(structure / levers(p.machine)[:, None], -1, -2)
+        none = np.zeros(columns.shape[:2], dtype=bool)
+        p.solved["narrowest"] = narrowest_share(columns, none)
+    return np.asarray(p.solved["narrowest"] < 8 * p.epsilon**0.25)
 
 
 def off_the_ray(p: Problem, wrench: Wide, answer: Any) -> Bools:
@@ -181,27 +190,30 @@ def _pairs(wide: Any, answer: Any, tight: Any) -> list[tuple[Wide, Wide, Wide]]:
     ]
 
 
-def verdicts(
-    machine: Machine, epsilon: float, structure: Wide, wrench: Wide
-) -> tuple[Bools, Bools]:
+def verdicts(p: Problem, structure: Wide, wrench: Wide) -> tuple[Bools, Bools]:
     """Where a wrench may count as feasible, and where as infeasible."""
-    normals, middle, half_width = slabs(machine, structure)
-    along = np.sum(normals * wrench[:, None, :], axis=-1)
-    # a facet's distance counts in wrenches whose moments are over the lever
-    steep = norm(normals * levers(machine))
-    inside = np.min((half_width - np.abs(along - middle)) / steep, axis=-1)
+    machine, epsilon = p.machine, p.epsilon
+
+    def distance(structure: Wide, wrench: Wide) -> tuple[Wide]:
+        normals, middle, half_width = slabs(machine, structure)
+        along = np.sum(normals * wrench[:, None, :], axis=-1)
+        # a facet's distance counts in wrenches whose moments are over the lever
+        steep = norm(normals * levers(machine))
+        return (np.min((half_width - np.abs(along - middle)) / steep, axis=-1),)
+
+    (inside,) = by_slabs(machine, distance, structure, wrench)
     slack = tolerated(machine, epsilon, structure)
     return inside >= -slack, inside <= ROUNDINGS * epsilon * machine.tension.max
 
 
-def paper_verdicts(
-    machine: Machine, epsilon: float, structure: Wide, wrench: Wide
-) -> tuple[Bools, Bools]:
+def paper_verdicts(p: Problem, structure: Wide, wrench: Wide) -> tuple[Bools, Bools]:
     """The same for Yoon eqs 22 and 23: it has no solution, or one that is clipped."""
-    high, relative = machine.tension.max, TENSION_ROUNDINGS * epsilon
+    machine, high, relative = p.machine, p.machine.tension.max, TENSION_ROUNDINGS * p.epsilon
     size = norm(wrench / levers(machine))
-    moves = [sign * step for step in np.diag(levers(machine)) for sign in (1, -1)]
-    changes = [(0.0, 0.0), (relative, 0.0), (-relative, 0.0), *((0.0, move) for move in moves)]
+    changes: list[tuple[float, Any]] = [(0.0, 0.0)]
+    if p.closely:
+        moves = [sign * step for step in np.diag(levers(machine)) for sign in (1, -1)]
+        changes += [(relative, 0.0), (-relative, 0.0), *((0.0, move) for move in moves)]
     solved = [
         tension.minimum_norm_tension(
             structure,

@@ -33,10 +33,12 @@ def in_chunks(
     function: Callable[..., tuple[npt.NDArray[Any], ...]],
     *inputs: tuple[Array, int],
     rows_per_chunk: int = ROWS_PER_CHUNK,
+    apart: Callable[[Array], npt.NDArray[np.bool_]] | None = None,
 ) -> tuple[npt.NDArray[Any], ...]:
     """Apply `function` to the broadcast batch a chunk of rows at a time, so memory stays bounded.
 
-    Each input comes with the number of its trailing axes that are not batch axes.
+    Each input comes with the number of its trailing axes that are not batch axes. `apart` tells,
+    from the first input, which rows must not share a chunk with the others.
     """
     batch = np.broadcast_shapes(*(array.shape[: array.ndim - core] for array, core in inputs))
     flat = []
@@ -44,7 +46,21 @@ def in_chunks(
         own = array.shape[array.ndim - core :]
         rows = int(np.prod(batch))
         flat.append(np.broadcast_to(array, batch + own).reshape(rows, *own))
-    starts = range(0, max(1, flat[0].shape[0]), rows_per_chunk)
-    parts = [function(*(rows[start : start + rows_per_chunk] for rows in flat)) for start in starts]
+    chunks = _chunks(flat[0], rows_per_chunk, apart)
+    parts = [function(*(rows[chunk] for rows in flat)) for chunk in chunks]
     columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
-    return tuple(column.reshape(batch + column.shape[1:]) for column in columns)
+    back = np.argsort(np.concatenate(chunks)) if apart else slice(None)
+    return tuple(column[back].reshape(batch + column.shape[1:]) for column in columns)
+
+
+def _chunks(
+    first: Array, most: int, apart: Callable[[Array], npt.NDArray[np.bool_]] | None
+) -> list[Any]:
+    """Numbers of the rows of every chunk; one chunk where there are no rows."""
+    if apart is None:
+        starts = range(0, max(1, len(first)), most)
+        return [slice(start, start + most) for start in starts]
+    special = apart(first)
+    groups = [np.flatnonzero(~special), np.flatnonzero(special)]
+    chunks = [rows[start : start + most] for rows in groups for start in range(0, len(rows), most)]
+    return chunks or [np.arange(0)]

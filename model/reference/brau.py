@@ -10,13 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.arrays import Array, as_floating, in_chunks
+from model.reference.arrays import Array, as_floating
 from model.reference.bounded import ROUNDINGS
 from model.reference.kinematics import moment_lever
-from model.reference.linear import kernel, least_norm, least_squares
+from model.reference.linear import inverse, kernel, least_norm, least_squares
 from model.reference.planar import cross
 from model.reference.tension import minimum_norm_tension
-from model.reference.wrench_set import facet_directions, rows_at_once
+from model.reference.wrench_set import by_slabs, facet_directions
 
 
 def kernel_tension(machine: Machine, structure: npt.ArrayLike, wrench: npt.ArrayLike) -> Array:
@@ -79,8 +79,9 @@ def largest_tensions_eq12(machine: Machine, structure: npt.ArrayLike, force: flo
     largest = np.zeros((*structure.shape[:-2], structure.shape[-1]), structure.dtype)
     lever = moment_lever(machine, structure.dtype)
     for carrying in _sets(machine):
-        inverse = _inverse(structure[..., carrying] / lever[:, None])[..., : machine.space]
-        tension = force * np.sqrt(np.sum(inverse**2, axis=-1))
+        square = structure[..., carrying] / lever[:, None]
+        shares = inverse(square)[..., : machine.space]
+        tension = force * np.sqrt(np.sum(shares**2, axis=-1))
         tension = np.where(np.isnan(tension), np.inf, tension)
         largest[..., carrying] = np.maximum(largest[..., carrying], tension)
     return largest
@@ -157,7 +158,7 @@ def largest_tension(machine: Machine, structure: npt.ArrayLike, force: float) ->
         both = [_least_bound(machine, sign * sides, wanted) for sign in (1, -1)]
         return (np.maximum(*both),)
 
-    (result,) = in_chunks(least, (structure, 2), rows_per_chunk=rows_at_once(structure))
+    (result,) = by_slabs(machine, least, structure)
     return np.asarray(result)
 
 
@@ -176,12 +177,6 @@ def _least_bound(machine: Machine, sides: Array, wanted: Array) -> Array:
 def _sets(machine: Machine) -> list[list[int]]:
     """All choices of d cables."""
     return [list(chosen) for chosen in combinations(range(len(machine.cables)), machine.dof)]
-
-
-def _inverse(matrix: Array) -> Array:
-    """Of square matrices (..., d, d); NaN where singular."""
-    columns = np.eye(matrix.shape[-1], dtype=matrix.dtype)
-    return np.stack([least_squares(matrix, column) for column in columns], axis=-1)
 
 
 def _angles(structure: Array) -> Array:

@@ -65,6 +65,15 @@ def least_squares(rows: Array, values: Array) -> Array:
     return _where_full_rank(f, _solution(f, values))
 
 
+def inverse(matrix: Array) -> Array:
+    """Of square matrices (..., d, d); NaN where singular."""
+    units = np.eye(matrix.shape[-1], dtype=matrix.dtype)
+    if matrix.shape[-1] == 2:
+        return np.stack([planar.least_squares(matrix, unit) for unit in units], axis=-1)
+    f = factorise(matrix)
+    return np.stack([_where_full_rank(f, _solution(f, unit)) for unit in units], axis=-1)
+
+
 def least_norm(columns: Array, target: Array) -> Array:
     """The least x (..., n) with sum of x_i columns_i = target (..., d), columns (..., n, d).
 

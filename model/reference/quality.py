@@ -9,11 +9,11 @@ import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.arrays import Array, in_chunks, norm
+from model.reference.arrays import Array, norm
 from model.reference.kinematics import structure_matrix
 from model.reference.planar import cross
 from model.reference.tension import distribute_tension
-from model.reference.wrench_set import rows_at_once, slabs
+from model.reference.wrench_set import by_slabs, slabs
 
 
 def zero_wrench_tension(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
@@ -23,7 +23,11 @@ def zero_wrench_tension(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayL
 
 def tension_factor(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:
     """TF = min T0 / max T0 (...), between T_min / T_max and 1 (Yoon eq. 13)."""
-    tension = zero_wrench_tension(machine, pose, rails)
+    return factor(zero_wrench_tension(machine, pose, rails))
+
+
+def factor(tension: Array) -> Array:
+    """min T / max T (...) of tensions (..., n)."""
     return np.asarray(np.min(tension, axis=-1) / np.max(tension, axis=-1))
 
 
@@ -58,7 +62,7 @@ def isotropic_force(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike)
         return (np.min(np.divide(room, across, out=reach, where=across > 0), axis=-1),)
 
     structure = structure_matrix(machine, pose, rails)
-    (force,) = in_chunks(radius, (structure, 2), rows_per_chunk=rows_at_once(structure))
+    (force,) = by_slabs(machine, radius, structure)
     return np.asarray(np.maximum(force, 0))
 
 

@@ -17,7 +17,7 @@ from model.machine import Machine
 from model.reference import active_sets, bounded
 from model.reference.arrays import Array, as_floating, in_chunks
 from model.reference.kinematics import moment_lever
-from model.reference.wrench_set import closest_wrench, contains, largest_share, rows_at_once
+from model.reference.wrench_set import by_slabs, closest_wrench, contains, largest_share
 
 MOST_TRIED = 6  # cables of which every active set is tried, 3^n of them
 
@@ -46,12 +46,7 @@ def wrench_feasible(machine: Machine, structure: npt.ArrayLike, wrench: npt.Arra
     A wrench on the boundary is feasible. False where anything is NaN.
     """
     structure, wrench = as_floating(structure, wrench)
-    (feasible,) = in_chunks(
-        lambda s, w: (contains(machine, s, w),),
-        (structure, 2),
-        (wrench, 1),
-        rows_per_chunk=rows_at_once(structure),
-    )
+    (feasible,) = by_slabs(machine, lambda s, w: (contains(machine, s, w),), structure, wrench)
     return feasible.astype(np.bool_)
 
 
@@ -82,9 +77,7 @@ def distribute_tension(
         tension = _TENSIONS[policy](machine, s, w, feasible)
         return tension, np.sum(s * tension[:, None, :], axis=-1), feasible
 
-    at_once = rows_at_once(structure)
-    inputs = (structure, 2), (wrench, 1)
-    tension, delivered, feasible = in_chunks(distribute, *inputs, rows_per_chunk=at_once)
+    tension, delivered, feasible = by_slabs(machine, distribute, structure, wrench)
     return Distribution(tension, delivered, feasible.astype(np.bool_))
 
 

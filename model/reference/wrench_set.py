@@ -5,13 +5,15 @@ between wrenches are those of [F; M / lever] [N], with the platform's lever; for
 forces only.
 """
 
+from collections.abc import Callable
 from math import comb
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from model.machine import Machine
-from model.reference.arrays import ROWS_PER_CHUNK, Array, norm
+from model.reference.arrays import ROWS_PER_CHUNK, Array, in_chunks, norm
 from model.reference.bounded import ROUNDINGS, closest_tension
 from model.reference.kinematics import moment_lever
 from model.reference.linear import complete_basis, factorise
@@ -38,10 +40,9 @@ def slabs(machine: Machine, structure: Array) -> tuple[Array, Array, Array]:
 
 def facet_directions(machine: Machine, structure: Array) -> tuple[Array, Array]:
     """The slabs' normals p (..., k, d) and sides p . s_i (..., k, n), whatever the bounds are."""
-    lever = moment_lever(machine, structure.dtype)
-    cables = np.swapaxes(structure, -1, -2) / lever
+    cables = _cables(machine, structure)
     normals, sides = _planar_normals(cables) if machine.dof == 2 else _normals(cables)
-    return normals / lever, sides
+    return normals / moment_lever(machine, structure.dtype), sides
 
 
 def contains(machine: Machine, structure: Array, wrench: Array) -> npt.NDArray[np.bool_]:
@@ -59,10 +60,21 @@ def margin(machine: Machine, structure: Array, wrench: Array) -> Array:
     return np.asarray(np.min(half_width - np.abs(along - middle), axis=-1))
 
 
-def rows_at_once(structure: Array) -> int:
-    """How many rows to take at a time, so that the slabs of all fit into a few dozen MB."""
+def by_slabs(
+    machine: Machine,
+    function: Callable[..., tuple[npt.NDArray[Any], ...]],
+    structure: Array,
+    *wrench: Array,
+) -> tuple[npt.NDArray[Any], ...]:
+    """Apply `function` to some rows at a time, so that the slabs of all fit into a few dozen MB.
+
+    Rows whose set has shrunk go together, because all rows of a batch get their directions.
+    """
     d, n = structure.shape[-2:]
-    return int(max(1, min(ROWS_PER_CHUNK, MOST_SIDES // (n * comb(n, d - 1)))))
+    inputs = [(structure, 2), *((part, 1) for part in wrench)]
+    at_once = int(max(1, min(ROWS_PER_CHUNK, MOST_SIDES // (n * comb(n, d - 1)))))
+    apart = None if d == 2 else lambda s: _has_shrunk(_cables(machine, s))
+    return in_chunks(function, *inputs, rows_per_chunk=at_once, apart=apart)
 
 
 def largest_share(machine: Machine, structure: Array, wrench: Array) -> Array:
@@ -110,12 +122,22 @@ def _normals(cables: Array) -> tuple[Array, Array]:
     """The same for d > 2, with p normal to d - 1 cables; see slabs."""
     d = cables.shape[-1]
     normals = _normals_to_cables(cables, d - 1, cables[..., :0, :])
-    flat = factorise(np.swapaxes(cables, -1, -2)).rank < d
-    if np.any(flat & np.all(np.isfinite(cables), axis=(-2, -1))):
+    if np.any(_has_shrunk(cables)):
         basis = np.swapaxes(complete_basis(np.swapaxes(cables, -1, -2)), -1, -2)
         fewer = [_normals_to_cables(cables, k, basis[..., k + 1 :, :]) for k in range(d - 1)]
         normals = np.concatenate([normals, *fewer, basis], axis=-2)
     return normals, np.asarray(normals @ np.swapaxes(cables, -1, -2))
+
+
+def _cables(machine: Machine, structure: Array) -> Array:
+    """The columns of S (..., n, d), moments over the lever."""
+    return np.asarray(np.swapaxes(structure, -1, -2) / moment_lever(machine, structure.dtype))
+
+
+def _has_shrunk(cables: Array) -> npt.NDArray[np.bool_]:
+    """Where the cables do not span, so that the set is flat."""
+    flat = factorise(np.swapaxes(cables, -1, -2)).rank < cables.shape[-1]
+    return np.asarray(flat & np.all(np.isfinite(cables), axis=(-2, -1)))
 
 
 def _normals_to_cables(cables: Array, count: int, others: Array) -> Array:
