@@ -1,0 +1,201 @@
+"""Every mistake about buses, drives and motors in a machine file gets one message."""
+
+import tomllib
+from collections.abc import Callable
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from codegen.generate import canonical
+from model.bus.axis import axes, drive_names
+from model.machine import Machine, MachineError, load_machine, machine_from
+
+ROOT = Path(__file__).parents[2]
+STOCK = ROOT / "machines" / "yoon2023.toml"
+TABLES = tomllib.loads(STOCK.read_text())
+Tables = dict[str, Any]
+Edit = Callable[[Tables], object]
+
+
+def edited(edit: Edit) -> Machine:
+    tables = deepcopy(TABLES)
+    edit(tables)
+    return machine_from(tables, STOCK)
+
+
+def bus(**keys: object) -> Edit:
+    return lambda tables: tables["bus"][0].update(keys)
+
+
+def drive(number: int, **keys: object) -> Edit:
+    return lambda tables: tables["drive"][number].update(keys)
+
+
+def within(*path: str, **keys: object) -> Edit:
+    def edit(tables: Tables) -> None:
+        for key in path:
+            tables = tables.setdefault(key, {})
+        tables.update(keys)
+
+    return edit
+
+
+def less(*path: str) -> Edit:
+    def edit(tables: Tables) -> None:
+        for key in path[:-1]:
+            tables = tables[key]
+        del tables[path[-1]]
+
+    return edit
+
+
+def without_buses(tables: Tables) -> None:
+    del tables["bus"], tables["drive"]
+
+
+# what is changed, the key that the message names, what it says was found, what is allowed
+REFUSALS: list[tuple[Edit, str, str, str]] = [
+    (bus(bit_rate="1 kHz"), "bus[1].bit_rate", '"1 kHz"', "bits per second"),
+    (bus(bit_rate="400 kbit/s"), "bus[1].bit_rate", '"400 kbit/s"', "one of 10, 20, 50, 125"),
+    (bus(rate="1 Mbit/s"), "bus[1].rate", '"1 Mbit/s"', "not angle, per second"),
+    (bus(rate="600 Hz"), "bus[1].rate", '"600 Hz"', 'control.rate = "1 kHz", or this divided'),
+    (bus(rate="2 kHz"), "bus[1].rate", '"2 kHz"', 'control.rate = "1 kHz", or this divided'),
+    (bus(name="cable2"), "bus[2].name", '"cable2"', "a name that differs from bus[1].name"),
+    (bus(name="if"), "bus[1].name", '"if"', "no keyword of C"),
+    (drive(1, node=1), "drive[2].node", "1", "a number that differs from drive[1].node"),
+    (drive(1, node=0), "drive[2].node", "0", "a node number, a whole number from 1 to 126"),
+    (drive(1, node=127), "drive[2].node", "127", "from 1 to 126"),
+    (drive(1, node="2"), "drive[2].node", '"2"', "a whole number"),
+    (drive(1, node=True), "drive[2].node", "true", "a whole number"),
+    (drive(1, bus="cabel1"), "drive[2].bus", '"cabel1"', "did you mean cable1?"),
+    (drive(1, name="cable_1"), "drive[2].name", '"cable_1"', "differs from drive[1].name"),
+    (drive(1, name="cable_9"), "drive[2].name", '"cable_9"', "the drives cable_1, cable_2"),
+    (drive(1, name="master"), "drive[2].name", '"master"', "a name other than master"),
+    (drive(1, mode="position"), "drive[2].mode", '"position"', '"torque" for the drive of a cable'),
+    (drive(1, mode="speed"), "drive[2].mode", '"speed"', '"torque" or "position"'),
+    (drive(1, direction="left"), "drive[2].direction", '"left"', '"forward" or "reverse"'),
+    (drive(1, product=2**32), "drive[2].product", "4294967296", "0 to 4294967295"),
+    (lambda tables: tables["drive"].pop(), "drive", "no drive base_4", "one [[drive]] for each"),
+    (
+        lambda tables: tables["bus"].append({**TABLES["bus"][0], "name": "spare"}),
+        "bus[4]",
+        '"spare", a bus without drives',
+        "some [[drive]] names",
+    ),
+    (less("bus"), "drive", "a table", "no such table without a [[bus]]"),
+    (less("rail_drive", "homing"), "rail_drive.homing", "nothing", "because of bus[1]"),
+    (less("rail_drive", "rating"), "rail_drive.rating", "nothing", "because of bus[1]"),
+    (less("cable_motor", "rating"), "cable_motor.rating", "nothing", "because of bus[1]"),
+    (
+        within("cable_motor", "rating", current_limit="1 A"),
+        "cable_motor.rating.current_limit",
+        '"1 A"',
+        "at least 1.964 A, which cable_motor.torque_limit takes",
+    ),
+    (
+        within("rail_drive", "rating", current_limit="7 A"),
+        "rail_drive.rating.current_limit",
+        '"7 A"',
+        "at least 7.895 A, which rail_drive.force_limit takes",
+    ),
+    (
+        within("cable_motor", "rating", encoder_counts=4095),
+        "cable_motor.rating.encoder_counts",
+        "4095",
+        "a multiple of 4",
+    ),
+    (
+        within("cable_motor", "rating", nominal_current="1 mA"),
+        "cable_motor.rating",
+        "a torque limit of 1964285 per mille",
+        "1 to 32767 per mille",
+    ),
+    (
+        within("rail_drive", "homing", current="10 A"),
+        "rail_drive.homing.current",
+        '"10 A"',
+        "at most rail_drive.rating.current_limit = 9 A",
+    ),
+    (
+        within("rail_drive", "homing", speed="0.1 mm/s"),
+        "rail_drive.homing.speed",
+        '"0.1 mm/s"',
+        "at least one turn of the motor a minute",
+    ),
+    (
+        within("supervision", heartbeat="30 ms"),
+        "supervision.heartbeat_timeout",
+        "40 ms",
+        "at least twice supervision.heartbeat = 30 ms",
+    ),
+    (
+        within("supervision", heartbeat="0.1 ms"),
+        "supervision.heartbeat",
+        '"0.1 ms"',
+        "at least a control cycle, 1 ms",
+    ),
+    (
+        within("supervision", drive_heartbeat="0.1 ms"),
+        "supervision.drive_heartbeat",
+        '"0.1 ms"',
+        "1 ms to 65.535 s",
+    ),
+    (
+        within("calibration", travel="300 mm"),
+        "calibration.travel",
+        "300 mm",
+        "at most half of the shortest rail, 230.9 mm",
+    ),
+]
+
+
+@pytest.mark.parametrize(("edit", "key", "found", "allowed"), REFUSALS)
+def test_a_mistake_is_refused_with_key_found_and_allowed(
+    edit: Edit, key: str, found: str, allowed: str
+) -> None:
+    with pytest.raises(MachineError) as caught:
+        edited(edit)
+    words = str(caught.value).removeprefix(f"{STOCK}: ")
+    assert words.startswith(f"{key}: found {found}")
+    assert allowed in words
+
+
+def test_a_cable_cannot_take_the_name_of_a_base_drive() -> None:
+    def steal(tables: Tables) -> None:
+        tables["cable"][0]["drive"] = "base_2"
+        tables["drive"].pop(0)
+
+    with pytest.raises(MachineError, match=r"cable\[1\].drive: found \"base_2\"; allowed: a name"):
+        edited(steal)
+
+
+def test_drives_come_in_the_order_of_cables_then_rails_wherever_the_file_has_them() -> None:
+    machine = edited(lambda tables: tables["drive"].reverse())
+    assert [axis.drive.name for axis in axes(machine)] == drive_names(machine)
+    assert drive_names(machine)[3:5] == ["cable_4", "base_1"]
+
+
+def test_a_third_of_the_control_rate_may_be_written_with_some_digits() -> None:
+    machine = edited(bus(rate="333.333 Hz"))
+    assert machine.buses[0].rate == pytest.approx(1000 / 3, rel=1e-5)
+
+
+def test_motor_ratings_need_no_bus() -> None:
+    assert edited(without_buses).cable_motor.rating is not None
+
+
+def test_what_is_said_about_buses_alone_does_not_count_without_them() -> None:
+    bare = edited(without_buses)
+    words = canonical(bare)
+    for key in ('"bus"', '"drive": [', "supervision", "calibration", "rating", "homing"):
+        assert key not in words
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [drive(0, node=9), bus(rate="500 Hz"), within("supervision", missed_syncs=3)],
+)
+def test_what_is_said_about_buses_counts_with_them(edit: Edit) -> None:
+    assert canonical(edited(edit)) != canonical(load_machine(STOCK))
