@@ -1,4 +1,4 @@
-"""Structs, constants and functions of a compiled C library for ctypes, read from its debug information.
+"""Structs, constants and functions of a compiled C library for ctypes, from its debug information.
 
 What C declares is declared nowhere a second time, so that no test believes in a layout of old.
 """
@@ -105,7 +105,7 @@ class Reader:
     def _struct(self, entry: DIE) -> Any:
         if "DW_AT_declaration" in entry.attributes:
             return None
-        made = type(name_of(entry) or "struct", (ctypes.Structure,), {})
+        made: Any = type(name_of(entry) or "struct", (ctypes.Structure,), {})
         members = [child for child in entry.iter_children() if child.tag == "DW_TAG_member"]
         made._fields_ = [(name_of(member), self.target_of(member)) for member in members]
         size = number_of(entry, "DW_AT_byte_size")

@@ -19,6 +19,9 @@ MEASURED = {0x6064, 0x6071, 0x6077, 0x607A}
 """Objects that may be negative."""
 MAPPINGS = [*range(0x1600, 0x1604), *range(0x1A00, 0x1A04)]
 
+# python canopen leaves some of its functions without types.
+local_node: Any = canopen.LocalNode
+
 Key = tuple[int, int]
 
 
@@ -74,7 +77,7 @@ class Drive:
         sizes = {(index, 0): size for index, size in SIZES.items()}
         sizes |= {(index, 1): 4 for index in MAPPINGS}
         sizes |= {(e.index, e.subindex): e.size for e in [*row.identity, *row.contract]}
-        self.node = canopen.LocalNode(row.node, objects(sizes))
+        self.node = local_node(row.node, objects(sizes))
         self.wire, self.row = wire, row
         self.written: list[tuple[Key, int]] = []
         self.read: Callable[[Key, int], int] = lambda key, value: value
@@ -98,12 +101,12 @@ class Drive:
     @property
     def is_operational(self) -> bool:
         """Whether it sends and takes PDOs."""
-        return self.node.nmt.state == "OPERATIONAL"
+        return bool(self.node.nmt.state == "OPERATIONAL")
 
     @property
     def mode(self) -> int:
         """Object 6060h."""
-        return self.node.data_store[0x6060][0][0]
+        return int(self.node.data_store[0x6060][0][0])
 
     @property
     def statusword(self) -> int:
@@ -138,7 +141,7 @@ class Drive:
     def _on_write(self, index: int, subindex: int, od: Any, data: bytes) -> None:
         self.written.append(((index, subindex), int.from_bytes(data, "little")))
 
-    def _on_command(self, can_id: int, data: bytes, time: float) -> None:
+    def _on_command(self, can_id: int, data: bytearray, time: float) -> None:
         command, node = data[0], data[1]
         if node not in (0, self.row.node):
             return
@@ -154,7 +157,7 @@ class Drive:
             self._waiting = (controlword.raw, target.raw)
             self.setpoints.append(self._waiting)
 
-    def _on_sync(self, can_id: int, data: bytes, time: float) -> None:
+    def _on_sync(self, can_id: int, data: bytearray, time: float) -> None:
         if not self.is_operational:
             return
         values = {0x6041: self.statusword, 0x6064: self.position, 0x6077: self.torque}

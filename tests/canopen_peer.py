@@ -10,6 +10,9 @@ from canopen_c import Frame
 SIGNED = {1: datatypes.INTEGER8, 2: datatypes.INTEGER16, 4: datatypes.INTEGER32}
 UNSIGNED = {1: datatypes.UNSIGNED8, 2: datatypes.UNSIGNED16, 4: datatypes.UNSIGNED32}
 
+# python canopen leaves some of its functions without types.
+empty_dictionary: Any = canopen.ObjectDictionary
+
 Change = Callable[[Frame], Frame | None]
 
 
@@ -76,7 +79,7 @@ def variable(index: int, subindex: int, data_type: int, access: str = "rw") -> O
 
 def dictionary(*variables: ODVariable) -> canopen.ObjectDictionary:
     """Objects of a node; those with subindices are records."""
-    made = canopen.ObjectDictionary()
+    made: canopen.ObjectDictionary = empty_dictionary()
     with_parts = {one.index for one in variables if one.subindex}
     for one in variables:
         if one.index not in with_parts:

@@ -1,4 +1,4 @@
-"""CiA 402: power states of all statuswords; controlwords that lead to every goal, and nowhere else."""
+"""CiA 402: power states of all statuswords; controlwords to every goal, and nowhere else."""
 
 from collections import deque
 from itertools import product
@@ -51,7 +51,7 @@ def planned(power: str, goal: str, home: bool = False, previous: int = 0) -> int
 
 def power_of(statusword: int) -> str:
     """tb_cia402_power."""
-    return POWERS[C.tb_cia402_power(statusword)]
+    return POWERS[int(C.tb_cia402_power(statusword))]
 
 
 def distances(goal: str) -> dict[str, int]:
@@ -80,7 +80,9 @@ def test_every_statusword_means_what_python_canopen_says() -> None:
 
 
 def test_patterns_that_cia_402_does_not_know_are_unknown_not_a_guess() -> None:
-    assert {power_of(word) for word in (0x0001, 0x0020 | 0x05, 0x000B, 0x006F, 0xFFFF)} == {"UNKNOWN"}
+    assert {power_of(word) for word in (0x0001, 0x0020 | 0x05, 0x000B, 0x006F, 0xFFFF)} == {
+        "UNKNOWN"
+    }
 
 
 @pytest.mark.parametrize(("power", "goal"), list(product(POWERS[1:], GOALS)))

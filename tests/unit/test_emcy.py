@@ -1,4 +1,4 @@
-"""Emergencies: every error code of an EPOS4 has a class and words; what stands, and what clears it."""
+"""Emergencies: class and words of every error code of an EPOS4; what stands, and what clears it."""
 
 import struct
 from ctypes import byref
@@ -63,8 +63,6 @@ def standing(*codes: int) -> tuple[int, int]:
     for code in codes:
         assert C.tb_emcy_take(byref(emergency), byref(C.frame(message(code))))
     return emergency.code, getattr(emergency, "class")
-
-
 
 
 @pytest.mark.parametrize("code", CLASSES, ids=hex)

@@ -4,7 +4,7 @@ from ctypes import byref
 from typing import Any
 
 import pytest
-from canopen.sdo import SdoAbortedError
+from canopen import SdoAbortedError
 from canopen_c import Frame, canopen_c, read
 from canopen_drive import Drive, Entry, Row, rows
 from canopen_peer import Wire
@@ -70,7 +70,7 @@ class Bench:
     def progress(self) -> str:
         """Name of the progress."""
         names = ["IDLE", "BUSY", "DONE", "FAILED"]
-        return names[self.setup.progress]
+        return names[int(self.setup.progress)]
 
     @property
     def failure(self) -> tuple[str, int, int, int]:
