@@ -405,6 +405,8 @@ def bases(rails: list[float]) -> list[tuple[float, float]]:
 
 
 Moments = dict[str, tuple[Any, ...]]
+SETTLED = 50
+"""Cycles from power-on until every drive is ready to arm, and some more."""
 
 
 def moments(library: ctypes.CDLL) -> tuple[Machine, Moments]:
@@ -418,9 +420,10 @@ def moments(library: ctypes.CDLL) -> tuple[Machine, Moments]:
         keep(machine, saved)
 
     while machine.orders.state != State.RUN:
-        ready = machine.orders.phase == Phase.READY and machine.cycle > 60
-        machine.seen.requests = ARM if ready else 0
         step()
+        if machine.cycle == SETTLED:
+            keep(machine, saved, always=True)
+        machine.seen.requests = ARM if machine.cycle > SETTLED else 0
     machine.run(200)
     keep(machine, saved, always=True)
     machine.seen.requests = STOP

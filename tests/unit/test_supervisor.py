@@ -106,9 +106,10 @@ def test_no_base_is_led_faster_than_a_tenth_of_its_limit_before_run(
     fastest = 0.0
     while machine.orders.state != State.RUN:
         before = [*machine.rails]
-        machine.step()
-        fastest = max(fastest, *(abs(a - b) for a, b in zip(machine.rails, before, strict=True)))
-    assert fastest / supervised.PERIOD < 0.15 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
+        machine.run(2)  # a SYNC of their bus
+        moved = (abs(a - b) for a, b in zip(machine.rails, before, strict=True))
+        fastest = max(fastest, *moved)
+    assert fastest / (2 * supervised.PERIOD) < 0.15 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
 
 
 def test_a_request_that_stood_before_does_not_arm(at: Callable[[str], Machine]) -> None:
