@@ -63,14 +63,16 @@ void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
     }
 }
 
-bool tb_guide_is_near(const real_t rails[TB_RAIL_SLOTS], const real_t targets[TB_RAIL_SLOTS],
-                      real_t distance)
+bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                          const real_t targets[TB_RAIL_SLOTS], real_t distance)
 {
-    bool near = true;
+    bool arrived = true;
     for (size_t i = 0; i < TB_RAILS; i++) {
-        near = near && (TB_ABS(rails[i] - targets[i]) <= distance);
+        real_t const to_go = TB_ABS(guide->reference[i] - targets[i]);
+        bool const near = TB_ABS(rails[i] - targets[i]) <= distance;
+        arrived = arrived && near && (to_go <= TB_C(0.1) * distance);
     }
-    return near;
+    return arrived;
 }
 
 size_t tb_guide_find_lost(const tb_guide *guide)
@@ -84,6 +86,13 @@ size_t tb_guide_find_lost(const tb_guide *guide)
 
 #else
 
+void tb_guide_take(tb_guide *guide, size_t rail, real_t position)
+{
+    (void)guide;
+    (void)rail;
+    (void)position;
+}
+
 void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
                    const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS])
 {
@@ -94,9 +103,10 @@ void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
     torque[0] = 0; /* the slot of an array that nobody fills or reads */
 }
 
-bool tb_guide_is_near(const real_t rails[TB_RAIL_SLOTS], const real_t targets[TB_RAIL_SLOTS],
-                      real_t distance)
+bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                          const real_t targets[TB_RAIL_SLOTS], real_t distance)
 {
+    (void)guide;
     (void)rails;
     (void)targets;
     (void)distance;

@@ -31,9 +31,9 @@ void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
                    const real_t targets[TB_RAIL_SLOTS], real_t speed,
                    real_t torque[TB_RAIL_SLOTS]);
 
-/** Whether every base is within `distance` [m] of its target. */
-bool tb_guide_is_near(const real_t rails[TB_RAIL_SLOTS], const real_t targets[TB_RAIL_SLOTS],
-                      real_t distance);
+/** Whether every base is within `distance` [m] of its target, and its reference has arrived. */
+bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                          const real_t targets[TB_RAIL_SLOTS], real_t distance);
 
 /** First base that has been more than TB_RAIL_LAG_LIMIT off its reference for more than
  *  TB_RAIL_LAG_CYCLES, from 0; TB_RAILS for none. */

@@ -9,6 +9,7 @@
 
 #define SWEEP_CYCLES ((uint32_t)TB_CALIBRATION_SAMPLES * TB_CALIBRATION_CYCLES)
 #define GATHER_SPEED (TB_RAIL_SPEED_LIMIT * TB_C(0.1))
+#define GATHERED (TB_RAIL_LAG_LIMIT * TB_C(0.1))
 #define EXTRA_TENSION ((TB_TENSION_MAX - TB_TENSION_MIN) * TB_C(0.2))
 #define DIFFERENT_POSE (TB_CALIBRATION_TRAVEL * TB_C(0.2))
 #define RHYTHMS 3u
@@ -78,7 +79,7 @@ static tb_blame gather(tb_supervisor *supervisor)
     real_t rails[TB_RAIL_SLOTS];
     find_targets(TB_C(0.0), targets);
     tb_measured_rails(&supervisor->measurement, rails);
-    if (tb_guide_is_near(rails, targets, TB_C(0.1) * TB_RAIL_LAG_LIMIT)) {
+    if (tb_guide_has_arrived(&supervisor->guide, rails, targets, GATHERED)) {
         tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_SWEEP);
     }
     tb_hold_cables(supervisor);

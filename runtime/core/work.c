@@ -115,7 +115,7 @@ static tb_blame approach(tb_supervisor *supervisor)
     const real_t *const targets = supervisor->outputs.rail_target;
     tb_measured_rails(&supervisor->measurement, rails);
     tb_blame const blame = tb_guide_bases(supervisor, targets, APPROACH_SPEED);
-    if ((supervisor->failed == 0) && tb_guide_is_near(rails, targets, NEAR)) {
+    if ((supervisor->failed == 0) && tb_guide_has_arrived(&supervisor->guide, rails, targets, NEAR)) {
         hand_over(supervisor);
         tb_enter(supervisor, TB_STATE_TENSION, TB_PHASE_CLOSE);
     } else if (supervisor->cycles > TB_HOMING_TIMEOUT) {

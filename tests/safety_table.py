@@ -1,0 +1,52 @@
+"""The table of causes in docs/safety.md, as data."""
+
+import math
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+DOCUMENT = Path(__file__).parents[1] / "docs" / "safety.md"
+STATES = ["INIT", "IDENTIFY", "CONFIGURE", "HOME", "TENSION", "RUN", "SOFT_STOP", "HARD_STOP", "FAULT"]
+
+
+@dataclass(frozen=True)
+class Row:
+    """What the document promises for one cause."""
+
+    cause: str
+    culprit: str
+    """drive, cable, bus or nothing"""
+    hard: bool
+    states: tuple[str, ...]
+    found: str
+    """Cycles, an expression of the constants of tb_drives.h and `divider`."""
+
+    def cycles(self, constants: dict[str, float], divider: int = 1) -> int:
+        """Cycles in which it is found, at the latest."""
+        names = {**constants, "divider": divider, "ceil": math.ceil}
+        return int(eval(self.found, {"__builtins__": {}}, names))
+
+
+def between(text: str) -> tuple[str, ...]:
+    """"HOME..RUN" as the states from one to the other."""
+    first, _, last = text.partition("..")
+    return tuple(STATES[STATES.index(first) : STATES.index(last or first) + 1])
+
+
+def rows() -> list[Row]:
+    """Every row of the table."""
+    table = DOCUMENT.read_text().partition("## The causes")[2]
+    lines = [line for line in table.splitlines() if re.match(r"\| [A-Z_]+ \|", line)]
+    found = []
+    for line in lines:
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        cause, culprit, reaction, states, cycles, *_ = cells
+        found.append(Row(cause, culprit, "hard" in reaction, between(states), cycles))
+    return found
+
+
+def constants(folder: Path) -> dict[str, float]:
+    """Every number of a machine's tb_machine.h and tb_drives.h."""
+    text = "".join((folder / name).read_text() for name in ("tb_machine.h", "tb_drives.h"))
+    pattern = r"^#define (TB_\w+) (?:TB_C\()?(-?[\d.e+-]+)\)?(?: |$)"
+    return {name: float(value) for name, value in re.findall(pattern, text, re.M)}

@@ -1,0 +1,511 @@
+"""The supervisor's states: from power-on to work, and back to no torque."""
+
+import ctypes
+import itertools
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+import supervised
+from safety_table import constants
+from supervised import (
+    ARM,
+    CABLES,
+    DRIVES,
+    DRUM,
+    FAILED,
+    RESET,
+    STOP,
+    Cause,
+    Failure,
+    Goal,
+    Homing,
+    Machine,
+    Mode,
+    Observation,
+    Phase,
+    Power,
+    State,
+    Task,
+)
+
+NUMBERS = constants(supervised.STOCK)
+STATE_TIMEOUT = int(NUMBERS["TB_STATE_TIMEOUT"])
+STOP_CYCLES = int(NUMBERS["TB_STOP_CYCLES"])
+TIGHT = DRUM * NUMBERS["TB_TENSION_MIN"]
+LIBRARIES = {"torque": supervised.stock_library, "position": supervised.position_library}
+BASES = range(CABLES, DRIVES)
+
+
+@pytest.fixture(scope="module", params=LIBRARIES)
+def moments(request: pytest.FixtureRequest) -> tuple[Machine, dict[str, tuple[object, ...]]]:
+    """A machine, and what it was in the fifth cycle of every state and phase of a bring-up."""
+    return supervised.moments(LIBRARIES[request.param]())
+
+
+@pytest.fixture
+def at(moments: tuple[Machine, dict[str, tuple[object, ...]]]) -> Callable[[str], Machine]:
+    """Puts the machine in a state and phase."""
+    machine, saved = moments
+
+    def restore(moment: str) -> Machine:
+        machine.restore(saved[moment])
+        return machine
+
+    return restore
+
+
+def torques(machine: Machine) -> np.ndarray:
+    """Torques ordered of the cables [N m]."""
+    return np.array([machine.orders.drives[i].torque for i in range(CABLES)])
+
+
+def goals(machine: Machine) -> set[int]:
+    """Power states ordered."""
+    return {order.goal for order in machine.orders.drives}
+
+
+def told(machine: Machine) -> tuple[str, str]:
+    """State and cause."""
+    return State(machine.orders.state).name, Cause(machine.orders.cause).name
+
+
+def test_a_bring_up_passes_every_state_and_phase_in_order(
+    moments: tuple[Machine, dict[str, tuple[object, ...]]],
+) -> None:
+    passed = [moment for moment in moments[1] if not moment.startswith(("FAULT", "HARD_STOP"))]
+    once = ["INIT NONE", "IDENTIFY NONE", "CONFIGURE CONTRACT", "CONFIGURE START"]
+    once += ["CONFIGURE FAULT_RESET", "CONFIGURE READY"]
+    once += [f"HOME {name}" for name in ("CABLE_MODE", "CABLE_POWER", "TIGHTEN")]
+    bases = ("MODE", "POWER", "HOMING", "RELEASE", "WORK_MODE", "WORK_POWER")
+    once += [f"HOME BASE_{name}" for name in bases]
+    once += ["HOME GATHER", "HOME SWEEP", "HOME SOLVE", "TENSION APPROACH", "TENSION CLOSE"]
+    once += ["RUN NONE", "SOFT_STOP RELAX", "SOFT_STOP SLACKEN", "SOFT_STOP POWER_OFF"]
+    assert passed == once
+
+
+def test_the_pose_is_known_after_the_bring_up(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+    assert np.allclose(machine.orders.controller.pose, machine.handle, atol=1e-6)
+
+
+def test_bases_follow_the_handle_in_run(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+    for _ in range(1000):
+        machine.handle = (machine.handle[0] + 5e-5, machine.handle[1])
+        machine.step()
+    assert machine.orders.state == State.RUN
+    assert abs(machine.rails[0] - machine.handle[0]) < 5e-3
+    machine.handle = (0.39, 0.21)
+
+
+def test_no_base_is_led_faster_than_a_tenth_of_its_limit_before_run(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("TENSION APPROACH")
+    fastest = 0.0
+    while machine.orders.state != State.RUN:
+        before = [*machine.rails]
+        machine.run(2)  # a SYNC of their bus
+        moved = (abs(a - b) for a, b in zip(machine.rails, before, strict=True))
+        fastest = max(fastest, *moved)
+    assert fastest / (2 * supervised.PERIOD) < 0.15 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
+
+
+def test_a_request_that_stood_before_does_not_arm(at: Callable[[str], Machine]) -> None:
+    machine = at("CONFIGURE CONTRACT")
+    machine.seen.requests = ARM
+    machine.until(State.CONFIGURE, Phase.READY)
+    machine.run(200)
+    assert told(machine) == ("CONFIGURE", "NONE")
+    machine.seen.requests = 0
+    machine.step()
+    assert machine.ask(ARM).state == State.HOME
+
+
+def test_nothing_arms_while_a_stop_is_asked_for(at: Callable[[str], Machine]) -> None:
+    machine = at("CONFIGURE READY")
+    machine.run(10)
+    assert machine.ask(ARM | STOP).state == State.CONFIGURE
+
+
+def test_drives_in_fault_at_power_on_are_reset(at: Callable[[str], Machine]) -> None:
+    machine = at("CONFIGURE CONTRACT")
+    machine.drives[6].power, machine.drives[6].error_code = Power.FAULT, 0x2310
+    machine.until(State.CONFIGURE, Phase.READY)
+    assert machine.drives[6].power == Power.OFF
+
+
+@pytest.mark.parametrize("moment", ["HOME TIGHTEN", "HOME SWEEP", "TENSION CLOSE", "RUN NONE"])
+def test_a_stop_that_was_asked_for_ends_ready_to_arm(
+    at: Callable[[str], Machine], moment: str
+) -> None:
+    machine = at(moment)
+    assert told_after(machine.ask(STOP)) == ("SOFT_STOP", "REQUESTED")
+    machine.until(State.CONFIGURE, Phase.READY, STOP_CYCLES + 20)
+    assert told(machine) == ("CONFIGURE", "REQUESTED")
+    machine.run(20)
+    machine.ask(ARM)
+    assert told(machine) == ("HOME", "NONE")
+    machine.until(State.RUN)
+
+
+def told_after(orders: supervised.Orders) -> tuple[str, str]:
+    """State and cause of some orders."""
+    return State(orders.state).name, Cause(orders.cause).name
+
+
+def test_only_a_reset_that_appears_leads_out_of_a_fault(at: Callable[[str], Machine]) -> None:
+    machine = at("FAULT NONE")
+    machine.seen.requests = ARM | STOP
+    machine.run(50)
+    assert machine.orders.state == State.FAULT
+    assert machine.ask(RESET).state == State.INIT
+    assert {order.task for order in machine.orders.drives} == {Task.RESET}
+    assert machine.orders.cause == Cause.NONE
+    machine.arm()
+    machine.until(State.RUN)
+
+
+def test_a_reset_that_stood_before_the_fault_does_nothing(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+    machine.seen.requests = RESET
+
+    def fault(seen: Observation) -> None:
+        seen.drives[1].power = Power.FAULT
+
+    machine.run(50, spoil=fault)
+    assert told(machine) == ("FAULT", "DRIVE_FAULT")
+
+
+def test_in_a_soft_stop_all_cables_go_down_together(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+    machine.seen.force[:] = [6.0, -2.0]
+    machine.run(50)
+    before = torques(machine)
+    assert np.ptp(before) > 0.01
+    machine.ask(STOP)
+    half = STOP_CYCLES // 2
+    for cycle in range(2, half + 1):
+        machine.step()
+        expected = before + (np.minimum(before, TIGHT) - before) * cycle / half
+        assert np.allclose(torques(machine), expected, atol=1e-12)
+    for cycle in range(1, half + 1):
+        machine.step()
+        assert np.allclose(torques(machine), np.minimum(before, TIGHT) * (1 - cycle / half))
+    assert goals(machine) == {Goal.OFF}
+
+
+def test_in_a_hard_stop_no_cable_pulls_after_as_many_steps_as_the_limit_has(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("RUN NONE")
+    machine.seen.force[:] = [6.0, -2.0]
+    machine.run(50)
+    most = int(np.ceil(NUMBERS["TB_TORQUE_LIMIT"] / NUMBERS["TB_TORQUE_STEP"]))
+
+    def fault(seen: Observation) -> None:
+        seen.drives[0].silent = 1
+
+    machine.step(fault)
+    assert told(machine) == ("HARD_STOP", "DRIVE_SILENT")
+    assert {machine.orders.drives[i].goal for i in BASES} == {Goal.OFF}
+    machine.run(most - 1, spoil=fault)
+    assert np.all(torques(machine) == 0.0)
+    machine.step(fault)
+    assert goals(machine) == {Goal.OFF}
+
+
+def test_a_cable_without_power_gets_no_torque_at_all(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+
+    def fault(seen: Observation) -> None:
+        seen.drives[2].power = Power.OFF
+
+    machine.step(fault)
+    assert told(machine) == ("HARD_STOP", "DRIVE_STATE")
+    assert machine.orders.drives[2].torque == 0.0
+
+
+def test_the_first_cause_stands(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+
+    def late(seen: Observation) -> None:
+        seen.drives[3].late = 9
+
+    def broken(seen: Observation) -> None:
+        seen.drives[1].power = Power.FAULT
+
+    machine.step(late)
+    assert told(machine) == ("SOFT_STOP", "DRIVE_LATE")
+    machine.step(broken)
+    assert told(machine) == ("HARD_STOP", "DRIVE_LATE")
+    machine.run(20, spoil=broken)
+    assert told(machine) == ("FAULT", "DRIVE_LATE")
+    assert (machine.orders.culprit, machine.orders.detail) == (3, 9)
+
+
+def test_a_fault_takes_the_place_of_a_request_as_the_cause(at: Callable[[str], Machine]) -> None:
+    machine = at("SOFT_STOP RELAX")
+    assert machine.orders.cause == Cause.REQUESTED
+
+    def late(seen: Observation) -> None:
+        seen.buses[2].refused = 4
+
+    machine.step(late)
+    assert told(machine) == ("SOFT_STOP", "BUS_FULL")
+    machine.until(State.FAULT)
+    assert (machine.orders.culprit, machine.orders.detail) == (2, 4)
+
+
+def test_a_stop_during_homing_switches_the_homing_base_off_at_once(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("HOME BASE_HOMING")
+    machine.ask(STOP)
+    assert {machine.orders.drives[i].goal for i in BASES} == {Goal.OFF}
+    assert {order.home for order in machine.orders.drives} == {0}
+    assert np.all(torques(machine) > 0.9 * TIGHT)
+    machine.until(State.CONFIGURE)
+
+
+def test_an_answer_before_homing_ran_is_that_of_the_last_homing(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("HOME BASE_POWER")
+
+    def done(seen: Observation) -> None:
+        seen.drives[CABLES].homing = Homing.DONE
+
+    machine.run(100, spoil=done)
+    assert machine.orders.phase == Phase.BASE_HOMING
+
+
+def stuck(**values: int) -> Callable[[Observation], None]:
+    """Every drive reports this, whatever it is ordered."""
+
+    def spoil(seen: Observation) -> None:
+        for report in seen.drives:
+            for name, value in values.items():
+                setattr(report, name, value)
+
+    return spoil
+
+
+def first_base(**values: int) -> Callable[[Observation], None]:
+    """The first base drive reports this, whatever it is ordered."""
+
+    def spoil(seen: Observation) -> None:
+        for name, value in values.items():
+            setattr(seen.drives[CABLES], name, value)
+
+    return spoil
+
+
+WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
+    # where, what the drives say for ever, the cause, its culprit, cycles
+    ("INIT NONE", stuck(task=0), "DRIVE_MISSING", 0, 64 * int(NUMBERS["TB_ANSWER_TIMEOUT"])),
+    ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
+    ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, STATE_TIMEOUT),
+    ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, STATE_TIMEOUT),
+    ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, STATE_TIMEOUT),
+    ("HOME CABLE_MODE", stuck(progress=1), "DRIVE_STUCK", 0, STATE_TIMEOUT),
+    ("HOME CABLE_MODE", stuck(mode=Mode.POSITION), "DRIVE_STUCK", 0, STATE_TIMEOUT),
+    ("HOME CABLE_POWER", stuck(power=Power.OFF), "DRIVE_STUCK", 0, STATE_TIMEOUT),
+    ("HOME BASE_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
+    ("HOME BASE_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
+    ("HOME BASE_WORK_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
+    ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
+    ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, STATE_TIMEOUT),
+    ("HOME BASE_HOMING", first_base(homing=0), "HOMING", 4, int(NUMBERS["TB_HOMING_TIMEOUT"])),
+]
+
+
+@pytest.mark.parametrize(("moment", "spoil", "cause", "culprit", "cycles"), WAITS)
+def test_no_wait_is_without_an_end(
+    at: Callable[[str], Machine],
+    moment: str,
+    spoil: Callable[[Observation], None],
+    cause: str,
+    culprit: int,
+    cycles: int,
+) -> None:
+    if moment == "HOME BASE_HOMING":
+        moment = "HOME BASE_POWER"
+    machine = at(moment)
+    machine.run(cycles + 20, lambda orders: orders.cause != Cause.NONE, spoil)
+    assert Cause(machine.orders.cause).name == cause
+    assert machine.orders.culprit == culprit
+
+
+def test_a_drive_that_stays_on_after_a_requested_stop_is_a_fault(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("SOFT_STOP POWER_OFF")
+
+    def on(seen: Observation) -> None:
+        seen.drives[7].power = Power.ENABLED
+
+    machine.run(STATE_TIMEOUT + 10, lambda orders: orders.state == State.FAULT, on)
+    assert told(machine) == ("FAULT", "DRIVE_STUCK")
+    assert machine.orders.culprit == 7
+
+
+def test_a_drive_that_gets_power_while_ready_is_a_fault(at: Callable[[str], Machine]) -> None:
+    machine = at("CONFIGURE READY")
+    machine.run(10)
+
+    def on(seen: Observation) -> None:
+        seen.drives[7].power = Power.ENABLED
+
+    machine.step(on)
+    assert told(machine) == ("FAULT", "DRIVE_STATE")
+
+
+def test_a_drive_that_does_not_switch_off_before_arming_is_a_fault(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("CONFIGURE FAULT_RESET")
+    machine.until(State.CONFIGURE, Phase.READY)
+
+    def on(seen: Observation) -> None:
+        seen.drives[7].power = Power.ON
+
+    machine.run(STATE_TIMEOUT + 5, lambda orders: orders.state == State.FAULT, on)
+    assert told(machine) == ("FAULT", "DRIVE_STUCK")
+
+
+def test_a_hard_stop_ends_even_if_a_drive_never_tells_that_it_is_off(
+    at: Callable[[str], Machine],
+) -> None:
+    machine = at("HARD_STOP POWER_OFF")
+    machine.run(
+        STATE_TIMEOUT + 10, lambda orders: orders.state == State.FAULT, stuck(power=Power.ENABLED)
+    )
+    assert goals(machine) == {Goal.OFF}
+
+
+FAILURES = [
+    ("INIT NONE", Failure.SILENT, "DRIVE_MISSING"),
+    ("INIT NONE", Failure.TWICE, "DRIVE_TWICE"),
+    ("IDENTIFY NONE", Failure.SILENT, "DRIVE_MISSING"),
+    ("IDENTIFY NONE", Failure.ABORT, "DRIVE_DIFFERENT"),
+    ("IDENTIFY NONE", Failure.DIFFERENT, "DRIVE_DIFFERENT"),
+    ("IDENTIFY NONE", Failure.TWICE, "DRIVE_TWICE"),
+    ("CONFIGURE CONTRACT", Failure.ABORT, "DRIVE_SETUP"),
+    ("CONFIGURE CONTRACT", Failure.TWICE, "DRIVE_TWICE"),
+    ("CONFIGURE START", Failure.SILENT, "DRIVE_SETUP"),
+    ("HOME CABLE_MODE", Failure.ABORT, "DRIVE_SETUP"),
+    ("HOME BASE_MODE", Failure.DIFFERENT, "DRIVE_SETUP"),
+    ("HOME BASE_WORK_MODE", Failure.ABORT, "DRIVE_SETUP"),
+]
+
+
+@pytest.mark.parametrize(("moment", "failure", "cause"), FAILURES)
+def test_a_failed_task_is_told_with_its_object(
+    at: Callable[[str], Machine], moment: str, failure: int, cause: str
+) -> None:
+    machine = at(moment)
+    cables = moment == "HOME CABLE_MODE"
+    index = 2 if cables else 4
+
+    def fail(seen: Observation) -> None:
+        report = seen.drives[index]
+        report.task, report.progress = machine.orders.drives[index].task, FAILED
+        report.failure, report.index, report.subindex, report.detail = failure, 0x6076, 1, 99
+
+    machine.step(fail)
+    orders = machine.orders
+    state = "SOFT_STOP" if moment.startswith("HOME") else "FAULT"
+    assert told(machine) == (state, cause)
+    assert (orders.culprit, orders.index, orders.subindex) == (index, 0x6076, 1)
+    assert (orders.failure, orders.detail) == (failure, 99)
+
+
+def damage(machine: Machine, place: int, value: int) -> None:
+    """Overwrite a byte, or the eight from there."""
+    offset = machine.library.shim_size(place)
+    size = 8 if place in (4, 6) else 1
+    data = bytes([value] * size)
+    ctypes.memmove(ctypes.addressof(machine.memory) + offset, data, size)
+
+
+@pytest.mark.parametrize(
+    ("moment", "place"),
+    [*itertools.product(["CONFIGURE READY", "HOME SWEEP", "RUN NONE", "FAULT NONE"], range(3, 7))],
+)
+def test_damaged_memory_takes_torque_and_heartbeat_away(
+    at: Callable[[str], Machine], moment: str, place: int
+) -> None:
+    machine = at(moment)
+    first = machine.orders.cause
+    damage(machine, place, 0x7F)
+    orders = machine.step()
+    assert orders.beat == 0
+    assert orders.state == State.HARD_STOP
+    machine.run(10, lambda orders: orders.state == State.FAULT)
+    assert machine.orders.cause == (first or Cause.MEMORY)
+    assert machine.orders.beat == 0
+    machine.step()
+    assert machine.ask(RESET).beat == 1
+
+
+def test_a_force_sensor_that_is_silent_is_not_read(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+    machine.seen.hand_force_fresh = 0
+    machine.seen.hand_force[:] = [np.nan, np.inf]
+    machine.run(100)
+    assert machine.orders.state == State.RUN
+    assert machine.orders.controller.status == 0
+
+
+def test_the_force_of_the_application_is_served_in_run_only(at: Callable[[str], Machine]) -> None:
+    for moment, served in (("TENSION CLOSE", 0.0), ("RUN NONE", 2.0)):
+        machine = at(moment)
+        machine.seen.force[:] = [2.0, 0.0]
+        machine.step()
+        assert machine.orders.controller.wanted_force[0] == served
+
+
+def test_missed_answers_are_bridged_up_to_the_limit(at: Callable[[str], Machine]) -> None:
+    machine = at("RUN NONE")
+    limit = int(NUMBERS["TB_MISSED_LIMIT"])
+    missed = itertools.count(1)
+
+    def lose(seen: Observation) -> None:
+        seen.drives[1].fresh, seen.drives[1].missed = 0, next(missed)
+
+    machine.run(limit, spoil=lose)
+    assert machine.orders.state == State.RUN
+    machine.step(lose)
+    assert told(machine) == ("HARD_STOP", "DRIVE_SILENT")
+
+
+def test_slack_is_wound_in_gently(at: Callable[[str], Machine]) -> None:
+    machine = at("HOME CABLE_POWER")
+    machine.until(State.HOME, Phase.TIGHTEN)
+    wound = 0.0
+    start = machine.seen.drives[0].position
+
+    def turn(seen: Observation) -> None:
+        seen.drives[0].position = start + wound
+
+    for speed in (0.1, 0.2, 0.3, 0.4, 0.5, 0.6):
+        for _ in range(3):
+            wound += speed * supervised.PERIOD
+            machine.step(turn)
+        expected = TIGHT * max(0.0, 1.0 - speed / (0.1 * NUMBERS["TB_CABLE_SPEED_LIMIT"]))
+        assert machine.orders.drives[0].torque == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_cable_that_cannot_be_tightened_is_told(at: Callable[[str], Machine]) -> None:
+    machine = at("HOME TIGHTEN")
+    wound = itertools.count(1)
+    start = machine.seen.drives[2].position
+
+    def turn(seen: Observation) -> None:
+        seen.drives[2].position = start + 1e-4 * next(wound)
+
+    machine.run(STATE_TIMEOUT + 10, lambda orders: orders.state != State.HOME, turn)
+    assert told(machine) == ("SOFT_STOP", "CABLE_SLACK")
+    assert machine.orders.culprit == 2
