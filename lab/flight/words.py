@@ -19,5 +19,6 @@ def words(enumeration: str, header: str) -> tuple[str, ...]:
     if found is None:
         raise ValueError(f"{header}: no enumeration {enumeration}")
     names = [name.split("_") for name in re.findall(r"^\s*(\w+)", found[1], re.MULTILINE)]
-    shared = sum(1 for _ in takewhile(lambda parts: len(set(parts)) == 1, zip(*names, strict=False)))
+    columns = zip(*names, strict=False)
+    shared = sum(1 for _ in takewhile(lambda parts: len(set(parts)) == 1, columns))
     return tuple(" ".join(parts[shared:]).lower() for parts in names)
