@@ -23,6 +23,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from lab.flight import command_line as flight
 from lab.live import command_line as live
 from model.bus import command_line as bus_proof
 
@@ -680,10 +681,12 @@ def refusals() -> tuple[type[Exception], ...]:
     from codegen.folder import FolderError
     from codegen.generate import GenerateError
     from lab.design import DesignError
+    from lab.flight import FlightError
     from lab.live import LiveError
     from model.machine import MachineError
 
-    return MachineError, GenerateError, FolderError, CompileError, DesignError, LiveError
+    wrong_input = MachineError, DesignError, LiveError, FlightError
+    return (*wrong_input, GenerateError, FolderError, CompileError)
 
 
 def fail(message: str, status: int = CANNOT) -> NoReturn:
@@ -697,7 +700,7 @@ def complain(message: str) -> None:
     typer.echo(f"turnbuckle: {message}", err=True)
 
 
-for command in (bus_proof.bus, live.run, live.monitor):
+for command in (bus_proof.bus, live.run, live.monitor, flight.replay, flight.log):
     app.command()(errors_in_words()(command))
 
 if __name__ == "__main__":

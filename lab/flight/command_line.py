@@ -1,0 +1,81 @@
+"""The commands `replay` and `log`: what they take, what they print."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+FAILED_CHECK = 1
+
+Dump = Annotated[Path, typer.Argument(help="What the flight recorder wrote.", show_default=False)]
+OfMachine = Annotated[
+    Path | None,
+    typer.Argument(
+        metavar="[FILE]",
+        help="The machine file.  [default: machines/<name>.toml]",
+        show_default=False,
+    ),
+]
+
+
+def replay(dump: Dump, file: OfMachine = None) -> None:
+    """Run a flight recording again, and compare every order to the bit.
+
+    Compiles the C of the machine file. Exit status 1 if an order differs from
+    the recorded one: then the program was not made from this C, or its
+    processor or its memory was at fault.
+
+    \b
+    Example:
+      turnbuckle replay flight.dump machines/yoon2023.toml
+    """
+    from lab.flight.recording import read_recording
+    from lab.flight.replay import replay as run_again
+
+    recording = read_recording(dump, file)
+    found = run_again(recording)
+    total, segments = len(recording.numbers), len(recording.segments)
+    typer.echo(
+        f"{dump}: {recording.machine.name}, machine hash {recording.hash}, {recording.precision}:"
+        f" {total} cycles in {segments} segments"
+    )
+    if found.difference is None:
+        typer.echo(f"all {found.matched} cycles ordered the same again, to the bit")
+    else:
+        typer.echo(f"{found.matched} cycles ordered the same; then {found.difference}")
+        raise typer.Exit(FAILED_CHECK)
+
+
+def log(
+    dump: Dump,
+    out: Annotated[
+        Path,
+        typer.Option(
+            metavar="FILE", help="The table: FILE.csv or FILE.parquet.", show_default=False
+        ),
+    ],
+    file: OfMachine = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A picture of it as PNG.", show_default=False),
+    ] = None,
+) -> None:
+    """Turn a flight recording into a table, and a picture.
+
+    A row for every control cycle; the names of the columns end in their unit.
+
+    \b
+    Example:
+      turnbuckle log flight.dump --out flight.parquet --plot flight.png
+    """
+    from lab.flight.recording import read_recording
+    from lab.flight.table import write_table
+
+    recording = read_recording(dump, file)
+    write_table(recording, out)
+    typer.echo(f"{out}: {len(recording.numbers)} cycles")
+    if plot is not None:
+        from lab.flight.picture import draw
+
+        draw(recording, plot)
+        typer.echo(f"picture: {plot}")

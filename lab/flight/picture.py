@@ -1,0 +1,155 @@
+"""The picture of a recording: states, pose, tensions and closure over time, for print."""
+
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from lab.flight.recording import Recording
+from lab.flight.table import SUPERVISOR, along, in_words, times
+from lab.flight.words import words
+from lab.plots import CABLES, FAINT, INK, MM, STYLE
+
+DASHES: list[Any] = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1))]
+PAPER: dict[Any, Any] = STYLE | {
+    "font.size": 8,
+    "axes.titlesize": 9,
+    "legend.fontsize": 7.5,
+    "lines.linewidth": 1.0,
+}
+STATES = ["#F4F5F7", "#DDE3EA"]
+FAULT = "#F6D5CF"
+LEAST_WIDTH = 0.07
+"""Share of the time axis below which a state has no room for its name."""
+
+
+def draw(recording: Recording, path: Path) -> None:
+    """Draw a recording into a PNG file, as wide as a page's text; OSError where it cannot."""
+    time, out = times(recording), recording.cycles["orders"]["controller"]
+    with rc_context(PAPER):
+        figure = Figure(figsize=(6.3, 7.0), dpi=200, layout="constrained")
+        axes = figure.subplots(5, 1, sharex=True, height_ratios=[0.5, 2, 2, 1.6, 1.6])
+        draw_states(axes[0], recording, time)
+        draw_pose(axes[1], recording, time, out)
+        draw_tensions(axes[2], recording, time, out)
+        draw_torques(axes[3], recording, time)
+        draw_residual(axes[4], recording, time, out)
+        mark_cause(axes, recording, time)
+        axes[-1].set(xlabel="time since the first recorded cycle [s]", xlim=(time[0], time[-1]))
+        path.parent.mkdir(parents=True, exist_ok=True)
+        figure.savefig(path)
+
+
+def draw_states(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
+    """A band for every state, named where there is room."""
+    numbers = recording.cycles["orders"]["state"]
+    names = in_words(numbers, words("tb_state", SUPERVISOR))
+    changes = np.flatnonzero(np.diff(numbers)) + 1
+    for turn, (begin, end) in enumerate(pairwise([0, *changes, len(numbers) - 1])):
+        name = str(names[begin])
+        colour = FAULT if name in ("fault", "hard stop") else STATES[turn % 2]
+        axes.axvspan(time[begin], time[end], facecolor=colour, edgecolor=FAINT, lw=0.5)
+        if time[end] - time[begin] > LEAST_WIDTH * (time[-1] - time[0]):
+            middle = (time[begin] + time[end]) / 2
+            axes.text(middle, 0.5, name, ha="center", va="center", size=7.5)
+    axes.set(title=f"{recording.machine.name}: state", ylim=(0, 1), yticks=[])
+    axes.grid(visible=False)
+
+
+def draw_pose(
+    axes: Axes, recording: Recording, time: NDArray[np.float64], out: NDArray[Any]
+) -> None:
+    """Position of the platform, and its turn beside it where it turns."""
+    machine = recording.machine
+    for i, (name, values) in enumerate(along(machine, "pose", out["pose"], "m", "rad")):
+        label = name.split("_")[1] if i < machine.space else name.split("_", 1)[1]
+        scale = MM if i < machine.space else 1000.0
+        line(axes, recording, time, scale * values, i, label.removesuffix("_rad"))
+    axes.set(title="Pose", ylabel="mm or mrad" if machine.dof > machine.space else "mm")
+    legend(axes, machine.dof)
+
+
+def draw_tensions(
+    axes: Axes, recording: Recording, time: NDArray[np.float64], out: NDArray[Any]
+) -> None:
+    """What the controller commands, where it runs, with the bounds."""
+    tension = recording.machine.tension
+    for i, cable in enumerate(recording.machine.cables):
+        line(axes, recording, time, out["tension"][:, i], i, cable.drive)
+    for value in (tension.min, tension.max):
+        axes.axhline(value, color=INK, ls=":", lw=0.8)
+    axes.set(title="Commanded tensions (dotted: bounds)", ylabel="N")
+    legend(axes, len(recording.machine.cables))
+
+
+def draw_torques(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
+    """What the cable drives report."""
+    reports = recording.cycles["seen"]["drives"]
+    for i, _cable in enumerate(recording.machine.cables):
+        line(axes, recording, time, MM * reports["torque"][:, i], i, "")
+    axes.set(title="Torques that the cable drives report", ylabel="mN m")
+
+
+def draw_residual(
+    axes: Axes, recording: Recording, time: NDArray[np.float64], out: NDArray[Any]
+) -> None:
+    """By how much the measured lengths disagree, and what that would make of each cable."""
+    for i, cable in enumerate(recording.machine.cables):
+        slack = recording.cycles["orders"]["slack"][:, i]
+        line(axes, recording, time, MM * slack, i, cable.drive)
+    axes.plot(*broken(recording, time, MM * out["residual"]), color=INK, lw=1.2)
+    axes.set(title="Closure residual (black), slack it would mean in a cable", ylabel="mm")
+
+
+def mark_cause(axes: NDArray[Any], recording: Recording, time: NDArray[np.float64]) -> None:
+    """A line where a cause was latched, named on top."""
+    numbers = recording.cycles["orders"]["cause"]
+    names = in_words(numbers, words("tb_cause", "core/cause.h"))
+    new = np.flatnonzero((numbers[1:] != 0) & (np.diff(numbers.astype(int)) != 0)) + 1
+    for index in new:
+        for each in axes:
+            each.axvline(time[index], color="#B22222", lw=0.9)
+        right = time[index] > (time[0] + time[-1]) / 2
+        axes[0].annotate(
+            f"{names[index]} ",
+            (time[index], 1.08),
+            xycoords=("data", "axes fraction"),
+            ha="right" if right else "left",
+            color="#B22222",
+            size=7.5,
+        )
+
+
+def line(
+    axes: Axes,
+    recording: Recording,
+    time: NDArray[np.float64],
+    values: NDArray[Any],
+    index: int,
+    label: str,
+) -> None:
+    """A curve told from the others by colour and by dashes, in print without colours too."""
+    axes.plot(
+        *broken(recording, time, values),
+        color=CABLES[index % len(CABLES)],
+        ls=DASHES[index % len(DASHES)],
+        label=label,
+    )
+
+
+def broken(
+    recording: Recording, time: NDArray[np.float64], values: NDArray[Any]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Times and values with a gap where cycles were not recorded."""
+    gaps = np.flatnonzero(np.diff(recording.numbers) > 1) + 1
+    return np.insert(time, gaps, np.nan), np.insert(values.astype(float), gaps, np.nan)
+
+
+def legend(axes: Axes, columns: int) -> None:
+    """The legend in one line above the axes, on the right."""
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.97), borderaxespad=0.0, ncols=columns)

@@ -1,0 +1,155 @@
+"""Runs a recording again through the C of its machine, and compares every order to the bit."""
+
+import ctypes
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from codegen.bind import generate_into_build, pointer
+from codegen.compile import compile_library
+from codegen.controller import RUNTIME_CORE
+from codegen.generate import build_model, machine_hash
+from lab.flight import FlightError
+from lab.flight.recording import Recording, Records, Segment
+
+SHIM = Path(__file__).parent / "replay_shim.c"
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The first order that is not the recorded one."""
+
+    cycle: int
+    field: str
+    recorded: object
+    computed: object
+
+    def __str__(self) -> str:
+        return (
+            f"cycle {self.cycle}: {self.field} was {self.recorded} when recorded,"
+            f" now it is {self.computed}"
+        )
+
+
+@dataclass(frozen=True)
+class Replay:
+    """What came out: the cycles that matched, and the first difference, if any."""
+
+    matched: int
+    difference: Difference | None
+
+
+class Supervisor:
+    """The compiled supervisor of a machine."""
+
+    def __init__(self, folder: Path, precision: str, core: Path = RUNTIME_CORE) -> None:
+        """Compile the C of a machine, in `folder`, together with the runtime's core."""
+        sources = [*sorted(folder.glob("*.c")), *sorted(core.glob("*.c")), SHIM]
+        self._library = ctypes.CDLL(str(compile_library(sources, [folder, core], precision)))
+        self._library.shim_replay.restype = None
+
+    def size(self, name: str) -> int:
+        """Bytes of a C struct: "supervisor" or "cycle"."""
+        function = getattr(self._library, f"shim_{name}_size")
+        function.restype = ctypes.c_size_t
+        return int(function())
+
+    def run(self, segment: Segment) -> Records:
+        """The cycles of a segment, with what is ordered when they are run again."""
+        memory, again = segment.before.copy(), np.zeros_like(segment.cycles)
+        recorded = np.ascontiguousarray(segment.cycles)
+        count = ctypes.c_size_t(len(recorded))
+        self._library.shim_replay(pointer(memory), count, pointer(recorded), pointer(again))
+        return again
+
+
+def replay(recording: Recording) -> Replay:
+    """Run a recording again through the C that its machine file makes today.
+
+    Raises FlightError where that is not the C which recorded.
+    """
+    refuse_other_hash(recording)
+    folder = generate_into_build(recording.machine)
+    return run_again(recording, Supervisor(folder, recording.precision))
+
+
+def refuse_other_hash(recording: Recording) -> None:
+    """Refuse a machine file that has changed since, or that a changed generator reads."""
+    machine = recording.machine
+    wanted = machine_hash(build_model(machine))
+    if recording.hash != wanted:
+        raise FlightError(
+            f"{recording.path}: of machine hash {recording.hash}; {machine.path} has {wanted}:"
+            " use the machine file, and the version of turnbuckle, that the program was made from"
+        )
+
+
+def run_again(recording: Recording, supervisor: Supervisor) -> Replay:
+    """Run a recording through a compiled supervisor, until the first difference."""
+    refuse_other_memory(recording, supervisor)
+    matched = 0
+    for segment in recording.segments:
+        again = supervisor.run(segment)
+        difference = first_difference(segment, again["orders"])
+        if difference is not None:
+            return Replay(matched + difference.cycle - segment.first, difference)
+        matched += len(segment.cycles)
+    return Replay(matched, None)
+
+
+def refuse_other_memory(recording: Recording, supervisor: Supervisor) -> None:
+    """Refuse a supervisor whose memory is not laid out as the recorded one."""
+    for segment in recording.segments:
+        found = len(segment.before), segment.cycles.dtype.itemsize
+        wanted = supervisor.size("supervisor"), supervisor.size("cycle")
+        if found != wanted:
+            raise FlightError(
+                f"{recording.path}: the supervisor's memory and a cycle take {found} bytes; in this"
+                f" version of turnbuckle {wanted}: replay it with the version that recorded it"
+            )
+
+
+def first_difference(segment: Segment, computed: Records) -> Difference | None:
+    """The first cycle of a segment with another order, and its first field."""
+    recorded = segment.cycles["orders"]
+    found = [
+        (int(np.argmax(unlike)), name, pair)
+        for name, *pair in leaves("", recorded, computed)
+        if (unlike := differs(*pair)).any()
+    ]
+    if not found:
+        return None
+    cycle, name, (before, now) = min(found, key=lambda one: one[0])
+    entry = np.argwhere(differs_by_entry(before[cycle], now[cycle]))[0]
+    place = "".join(f"[{i}]" for i in entry)
+    one, other = before[cycle][tuple(entry)], now[cycle][tuple(entry)]
+    return Difference(int(segment.numbers[cycle]), f"{name}{place}", one.item(), other.item())
+
+
+def leaves(
+    name: str, recorded: NDArray[Any], computed: NDArray[Any]
+) -> Iterator[tuple[str, NDArray[Any], NDArray[Any]]]:
+    """Every number of a struct, with its name; padding is none."""
+    fields = recorded.dtype.names
+    if fields is None:
+        yield name, recorded, computed
+        return
+    for field in fields:
+        inner = f"{name}.{field}" if name else field
+        yield from leaves(inner, recorded[field], computed[field])
+
+
+def differs_by_entry(one: NDArray[Any], other: NDArray[Any]) -> NDArray[np.bool_]:
+    """Where the bits of two arrays differ: NaN is like NaN, 0 is not like -0."""
+    bits = np.dtype(f"u{one.dtype.itemsize}")
+    pair = [np.ascontiguousarray(array).view(bits) for array in (one, other)]
+    return np.asarray(pair[0] != pair[1]).reshape(np.shape(one))
+
+
+def differs(one: NDArray[Any], other: NDArray[Any]) -> NDArray[np.bool_]:
+    """In which cycles (first axis) the bits of two arrays differ."""
+    return np.asarray(differs_by_entry(one, other).reshape(len(one), -1).any(axis=1))

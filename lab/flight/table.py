@@ -1,0 +1,157 @@
+"""A recording as a table: a row a cycle, columns with their units, states and causes in words."""
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+from pyarrow import csv, parquet
+
+from lab.flight import FlightError
+from lab.flight.recording import Recording
+from lab.flight.words import words
+from model.bus.axis import drive_names
+from model.machine import Machine
+from model.symbolic.function import Status
+
+Column = NDArray[Any]
+Columns = Iterator[tuple[str, Column]]
+
+SUPERVISOR, DRIVE = "core/supervisor.h", "core/drive.h"
+REQUESTS = {1: "arm", 2: "stop", 4: "reset"}
+"""TB_REQUEST_..., runtime/core/supervisor.h"""
+
+
+def write_table(recording: Recording, path: Path) -> None:
+    """Write the table as CSV or Parquet, as the name of the file ends; OSError where it cannot."""
+    writers: dict[str, Callable[[pa.Table, Path], None]] = {
+        ".csv": csv.write_csv,
+        ".parquet": parquet.write_table,
+    }
+    if path.suffix not in writers:
+        raise FlightError(f"{path}: ends in {path.suffix!r}; allowed: {', '.join(writers)}")
+    found = pa.table({name: pa.array(column) for name, column in columns(recording)})
+    path.parent.mkdir(parents=True, exist_ok=True)
+    writers[path.suffix](found, path)
+
+
+def columns(recording: Recording) -> Columns:
+    """Names and values of all columns, each as long as the recording."""
+    machine, cycles = recording.machine, recording.cycles
+    seen, orders = cycles["seen"], cycles["orders"]
+    yield "cycle", recording.numbers
+    yield "time_s", times(recording)
+    yield from states(seen, orders)
+    yield from platform(machine, seen, orders)
+    yield from cables(machine, orders)
+    yield from rails(machine, orders["controller"])
+    yield from drives(machine, seen["drives"], orders["drives"])
+    for number, bus in enumerate(machine.buses):
+        yield from bus_columns(bus.name, seen["buses"][:, number])
+
+
+def times(recording: Recording) -> NDArray[np.float64]:
+    """Time [s] of every cycle since the first, with the cycles that were skipped."""
+    passed = np.diff(recording.numbers, prepend=recording.numbers[:1])
+    skipped = recording.cycles["seen"]["missed"].astype(np.int64)
+    if len(skipped):
+        skipped[0] = 0
+    return np.asarray(np.cumsum(passed + skipped) / recording.machine.control.rate)
+
+
+def states(seen: Column, orders: Column) -> Columns:
+    """What the machine does, and why."""
+    yield "state", in_words(orders["state"], words("tb_state", SUPERVISOR))
+    yield "phase", orders["phase"]
+    yield "cause", in_words(orders["cause"], words("tb_cause", "core/cause.h"))
+    for name in ("culprit", "index", "subindex"):
+        yield name, orders[name]
+    yield "failure", in_words(orders["failure"], words("tb_failure", DRIVE))
+    yield "detail", orders["detail"]
+    yield "requests", np.array([requests(int(bits)) for bits in seen["requests"]], object)
+    yield "beat", orders["beat"]
+    yield "cycles_skipped", seen["missed"]
+    status = tuple(one.name.lower().replace("_", " ") for one in Status)
+    yield "controller", in_words(orders["controller"]["status"], status)
+
+
+def requests(bits: int) -> str:
+    """The requests that stand, joined by +."""
+    return "+".join(name for bit, name in REQUESTS.items() if bits & bit)
+
+
+def platform(machine: Machine, seen: Column, orders: Column) -> Columns:
+    """Where the platform is, and what acts on it."""
+    out = orders["controller"]
+    yield from along(machine, "pose", out["pose"], "m", "rad")
+    yield from along(machine, "velocity", out["velocity"], "m_per_s", "rad_per_s")
+    yield "residual_m", out["residual"]
+    yield from along(machine, "application_force", seen["force"], "N", "N_m")
+    yield from along(machine, "hand_force", seen["hand_force"], "N", "N_m")
+    yield "hand_force_fresh", seen["hand_force_fresh"]
+    yield from along(machine, "wanted_force", out["wanted_force"], "N", "N_m")
+    yield from along(machine, "delivered_force", out["delivered_force"], "N", "N_m")
+
+
+def along(machine: Machine, name: str, values: Column, unit: str, turning_unit: str) -> Columns:
+    """A column for every degree of freedom: x y z, then the turns about the axes."""
+    turns = ("turn",) if machine.dof == 3 else ("turn_x", "turn_y", "turn_z")
+    for i in range(machine.dof):
+        if i < machine.space:
+            yield f"{name}_{'xyz'[i]}_{unit}", values[:, i]
+        else:
+            yield f"{name}_{turns[i - machine.space]}_{turning_unit}", values[:, i]
+
+
+def cables(machine: Machine, orders: Column) -> Columns:
+    """What the controller wants of every cable, and what the watch and the gate say of it."""
+    out = orders["controller"]
+    for i, cable in enumerate(machine.cables):
+        yield f"{cable.drive}_tension_N", out["tension"][:, i]
+        yield f"{cable.drive}_disturbance_N_m", out["disturbance"][:, i]
+        yield f"{cable.drive}_slack_m", orders["slack"][:, i]
+        yield f"{cable.drive}_gate", out["gate"][:, i]
+
+
+def rails(machine: Machine, out: Column) -> Columns:
+    """What the controller wants of every base."""
+    for i, name in enumerate(drive_names(machine)[len(machine.cables) :]):
+        yield f"{name}_target_m", out["rail_target"][:, i]
+        yield f"{name}_force_N", out["rail_force"][:, i]
+
+
+def drives(machine: Machine, reports: Column, orders: Column) -> Columns:
+    """What every drive reported and was ordered."""
+    for i, name in enumerate(drive_names(machine)):
+        report, order = reports[:, i], orders[:, i]
+        yield f"{name}_position_m", report["position"]
+        yield f"{name}_torque_N_m", report["torque"]
+        yield f"{name}_ordered_torque_N_m", order["torque"]
+        yield f"{name}_ordered_position_m", order["position"]
+        yield f"{name}_power", in_words(report["power"], words("tb_power", DRIVE))
+        yield f"{name}_goal", in_words(order["goal"], words("tb_goal", DRIVE))
+        yield f"{name}_mode", in_words(report["mode"], words("tb_mode", DRIVE))
+        yield f"{name}_homing", in_words(report["homing"], words("tb_homing", DRIVE))
+        yield f"{name}_task", in_words(report["task"], words("tb_task", DRIVE))
+        yield f"{name}_progress", in_words(report["progress"], words("tb_progress", DRIVE))
+        yield f"{name}_failure", in_words(report["failure"], words("tb_failure", DRIVE))
+        for field in ("index", "subindex", "detail", "statusword", "error_code"):
+            yield f"{name}_{field}", report[field]
+        for field in ("fresh", "missed", "late", "silent"):
+            yield f"{name}_{field}", report[field]
+
+
+def bus_columns(name: str, bus: Column) -> Columns:
+    """What a bus reported."""
+    yield f"bus_{name}_state", in_words(bus["state"], words("tb_can_state", "can/can.h"))
+    for field in ("refused", "stranger", "malformed"):
+        yield f"bus_{name}_{field}", bus[field]
+
+
+def in_words(numbers: Column, known: Sequence[str]) -> Column:
+    """Numbers as words; one without a word as it is."""
+    found, inverse = np.unique(numbers, return_inverse=True)
+    texts = [known[n] if 0 <= n < len(known) else str(n) for n in found.tolist()]
+    return np.array(texts, object)[inverse]
