@@ -82,7 +82,7 @@ def run(
             metavar="N",
             min=0,
             max=99,
-            help="Real-time priority; 0 for none.  [default: 80, or 0 with --sim]",
+            help="Real-time priority; 0 for none.  [default: 80]",
             show_default=False,
         ),
     ] = None,
@@ -111,8 +111,8 @@ def run(
     refuse_contradictions(sim, bus, pace, seconds)
     machine = load_machine(file)
     further = [f"--cpu={cpu}"] if cpu is not None else []
-    if sim or priority is not None:
-        further.append(f"--priority={priority or 0}")
+    if priority is not None:
+        further.append(f"--priority={priority}")
     order = Order(
         buses=bus or (),
         simulated=sim,

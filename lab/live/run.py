@@ -12,12 +12,14 @@ from pathlib import Path
 from lab.live import LiveError
 from lab.live.identity import refuse_other
 from lab.live.program import build_program
-from lab.live.telemetry import Record, Telemetry, default_path
+from lab.live.telemetry import Telemetry, default_path
 from lab.live.words import STATES, word
 from model.machine import Machine
 
 POLL = 0.05
 """Seconds between two looks at the telemetry."""
+LOOKED_BACK = 2048
+"""Cycles that are read at most in one look."""
 Say = Callable[[str], None]
 SET_DEATH_SIGNAL = 1
 """PR_SET_PDEATHSIG of prctl(2)"""
@@ -51,15 +53,16 @@ def run_machine(machine: Machine, order: Order, say: Say) -> int:
     else:
         program = order.program.resolve()
         refuse_other(program, machine)
+    telemetry = order.telemetry or default_path(machine.name)
     with ExitStack() as stack:
         buses = order.buses
         if order.simulated:
             from lab.live.simulated import simulated_drives
 
-            buses = stack.enter_context(simulated_drives(machine, order.pace))
+            buses = stack.enter_context(simulated_drives(machine, order.pace, telemetry))
         process = start(program, arguments(machine, order, buses))
         stack.callback(finish, process)
-        return follow(process, order.telemetry or default_path(machine.name), say)
+        return follow(process, telemetry, say)
 
 
 def arguments(machine: Machine, order: Order, buses: Sequence[str]) -> list[str]:
@@ -117,41 +120,48 @@ def follow(process: "subprocess.Popen[bytes]", path: Path, say: Say) -> int:
 
 
 class Teller:
-    """Tells the states of one program as they change."""
+    """Tells the states of one program as they change, and what it does in them."""
 
     def __init__(self, pid: int, path: Path, say: Say) -> None:
         self._pid, self._path, self._say = pid, path, say
         self._telemetry: Telemetry | None = None
         self._next = 0
-        self._told: str | None = None
+        self._state, self._doing = "", ""
 
     def look(self) -> None:
         """Read all cycles since the last look."""
-        if self._telemetry is None and not self._open():
-            return
-        assert self._telemetry is not None
-        published = int(self._telemetry.status()["published"])
-        for number in range(max(self._next, published - 2048), published):
-            if (cycle := self._telemetry.cycle(number)) is not None:
-                self._tell(cycle)
+        if self._telemetry is None:
+            self._telemetry = telemetry_of(self._pid, self._path)
+        if self._telemetry is not None:
+            self._tell_news(self._telemetry)
+
+    def _tell_news(self, telemetry: Telemetry) -> None:
+        status = telemetry.status()
+        published = int(status["published"])
+        for number in range(max(self._next, published - LOOKED_BACK), published):
+            if (cycle := telemetry.cycle(number)) is not None:
+                self._tell(telemetry, number, word(STATES, int(cycle["state"])), "")
+        if published > self._next:
+            doing = status["doing"].decode(errors="replace")
+            self._tell(telemetry, published - 1, self._state, doing)
         self._next = published
 
-    def _open(self) -> bool:
-        """Open the telemetry once it is that of our program, not of one before it."""
-        try:
-            telemetry = Telemetry(self._path)
-        except LiveError:
-            return False
-        if telemetry.counts["pid"] != self._pid:
-            telemetry.close()
-            return False
-        self._telemetry = telemetry
-        return True
+    def _tell(self, telemetry: Telemetry, number: int, state: str, doing: str) -> None:
+        """A line where the state is new, or what is done in it."""
+        if state == self._state and doing in ("", self._doing):
+            return
+        seconds = float(telemetry.counts["period"]) * number
+        self._say(f"{seconds:9.3f} s  {state:10} {doing}".rstrip())
+        self._state, self._doing = state, doing
 
-    def _tell(self, cycle: Record) -> None:
-        state = word(STATES, int(cycle["state"]))
-        if state != self._told:
-            assert self._telemetry is not None
-            seconds = float(self._telemetry.counts["period"]) * int(cycle["number"])
-            self._say(f"{seconds:9.3f} s  {state}")
-            self._told = state
+
+def telemetry_of(pid: int, path: Path) -> Telemetry | None:
+    """The file once it is that of our program, not of one before it."""
+    try:
+        telemetry = Telemetry(path)
+    except LiveError:
+        return None
+    if telemetry.counts["pid"] != pid:
+        telemetry.close()
+        return None
+    return telemetry
