@@ -38,8 +38,8 @@ POINTS = 1000
 BLOCK = 2500
 #: What draws the points of each kind.
 SAMPLERS: tuple[type[Sampler], ...] = (Sampler, HardSampler)
-#: One broken argument in so many points.
-BROKEN_SHARE = 16
+#: One broken argument in so many points, and the fewest of them.
+BROKEN_SHARE, FEWEST_BROKEN = 16, 64
 #: Cycles and motions of the recordings that the disturbance observer is judged by.
 CYCLES, MOTIONS = 300, 8
 #: Beyond this many times its bound an argument must be refused.
@@ -237,6 +237,8 @@ class Trial:
             kind(self.machine, seed + k, points) for k, kind in enumerate(SAMPLERS)
         ]
         self.seed = seed
+        fewer = max(FEWEST_BROKEN, points // BROKEN_SHARE)
+        self.sound = Sampler(self.machine, seed + len(SAMPLERS), fewer)
         self.drawn: dict[tuple[str, ...], list[NDArray[Any]]] = {}
         self.solved: dict[tuple[str, ...], dict[str, Any]] = {}
 
@@ -283,9 +285,8 @@ class Trial:
         status = answer["status"]
         fine = wanted.allowed[np.arange(len(status)), status]
         for name, reference in wanted.values.items():
-            error = np.abs(answer[name].astype(np.longdouble) - reference)
-            near = error <= self.tolerance(function, name, wanted)
-            fine = fine & (np.all(_flat(near), axis=1) | (status > Status.INFEASIBLE))
+            _, share = _errors(answer[name], reference, self.tolerance(function, name, wanted))
+            fine = fine & (np.all(_flat(share) <= 1, axis=1) | (status > Status.INFEASIBLE))
         return np.asarray(fine)
 
     def tolerance(self, function: ModelFunction, output: str, wanted: Expected) -> Wide:
@@ -350,9 +351,7 @@ class Trial:
         head = (function, output, self.generated.precision, len(usable))
         if not got.size:
             return (*head, 0.0, 0.0, 0.0, 0.0)
-        error = np.abs(got.astype(np.longdouble) - ref)
-        error = np.where(np.isnan(error), np.inf, error)
-        share = np.where(error > 0, error / np.maximum(allowed, np.finfo(np.longdouble).tiny), 0)
+        error, share = _errors(got, ref, allowed)
         size = np.max(np.abs(ref), axis=1)
         counted = np.maximum(size, self.epsilon * np.max(size, initial=1e-30))
         ulp = np.spacing(counted.astype(self.real)).astype(np.longdouble)
@@ -370,7 +369,10 @@ class Trial:
         """Arguments out of their domain: refused, with the fallback in every output."""
         if not any(port.size for port in function.inputs):
             return []
-        arguments = [given.copy() for given in self.domain_middle(function)]
+        arguments = [
+            self.sound.argument(function.name, port.name, port.size).astype(self.real)
+            for port in function.inputs
+        ]
         self.break_arguments(arguments, function)
         answer = call(called, arguments)
         refused = answer["status"] == Status.OUT_OF_DOMAIN
@@ -382,15 +384,6 @@ class Trial:
             head = (called.name, f"{port.name} (refused)", self.generated.precision, len(refused))
             rows.append(Row(*head, 0.0, 0.0, 0.0, 0.0, wrong, text))
         return rows
-
-    def domain_middle(self, function: ModelFunction) -> list[NDArray[Any]]:
-        """Arguments of operation, fewer of them."""
-        count = max(64, len(self.samplers[0].pose) // BROKEN_SHARE)
-        sampler = Sampler(self.machine, self.seed + len(SAMPLERS), count)
-        return [
-            sampler.argument(function.name, p.name, p.size).astype(self.real).reshape(count, -1)
-            for p in function.inputs
-        ]
 
     def break_arguments(self, arguments: list[NDArray[Any]], function: ModelFunction) -> None:
         """One entry of every point goes out of its domain; every entry gets its turn."""
@@ -484,6 +477,14 @@ def recording(machine: Machine, seed: int) -> tuple[NDArray[Any], ...]:
 
 def _flat(values: NDArray[Any]) -> NDArray[Any]:
     return values.reshape(len(values), int(np.prod(values.shape[1:], dtype=int)))
+
+
+def _errors(got: NDArray[Any], reference: Wide, tolerance: Wide) -> tuple[Wide, Wide]:
+    """How far each value is off, and the share of its tolerance; infinite is any finite value's."""
+    error = np.abs(got.astype(np.longdouble) - reference)
+    error = np.where(np.isnan(error), np.inf, error)
+    share = np.where(error > 0, error / np.maximum(tolerance, np.finfo(np.longdouble).tiny), 0)
+    return error, np.where(np.isinf(tolerance) & np.isfinite(got), 0, share)
 
 
 def _told(status: NDArray[Any], allowed: Bools, wrong: NDArray[Any]) -> str:

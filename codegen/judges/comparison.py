@@ -148,16 +148,31 @@ def kernel_tension(p: Problem) -> Expected:
 
 
 def reduced_matrix_tension(p: Problem) -> Expected:
-    """A set that is nearly dependent is passed over: where it is the best, anything is right."""
+    """A set that is nearly dependent is passed over: where it is the best, anything is right.
+
+    Of two sets with the same sum of tensions, up to rounding, either is.
+    """
     machine = p.machine
     found = moved(p, p["wrench"], brau.reduced_matrix_tension)
     # as in the C
     told_by = determinant if machine.dof <= 3 else smallest_singular_value
-    near = least_of_sets(p, told_by) < RANK_FACTOR * rank_limit(p.epsilon)
+    least = least_of_sets(p, told_by)
+    near = least < RANK_FACTOR * rank_limit(p.epsilon)
     bears = np.where(np.isfinite(found.value), found.value, 0) > machine.tension.min
     doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p, p["structure"])[1][1]
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
+    if p.closely:
+        either = sums_alike(p, TENSION_ROUNDINGS * p.epsilon / np.maximum(least, 1e-30))
+        unsure = replace(unsure, slack=np.where(either[:, None], np.inf, unsure.slack))
     return told(p, unsure, machine.tension.min, {})
+
+
+def sums_alike(p: Problem, share: Wide) -> Bools:
+    """Where two sets of cables have the least sum of tensions, up to a share (count) of it."""
+    sums = brau.reduced_matrix_sums(p.machine, p["structure"], p["wrench"])
+    first, second = np.sort(np.where(np.isnan(sums), np.inf, sums), axis=-1)[:, :2].T
+    lowest = len(p.machine.cables) * p.machine.tension.min
+    return np.asarray(second - first <= share * (first + lowest))
 
 
 def least_of_sets(p: Problem, measure: Callable[[Wide], Wide]) -> Wide:

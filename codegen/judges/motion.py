@@ -242,8 +242,9 @@ def outside_target(p: Problem, pose: Wide) -> Bools:
 def fix_faults(
     p: Problem, at: Fixed, lost: tuple[Bools, Bools]
 ) -> dict[Status, tuple[Bools, Bools]]:
-    """Faults of functions that find the platform."""
-    faults = {Status.SINGULAR: lost}
+    """Faults of functions that find the platform; none must be where a search may end elsewhere."""
+    must, may = lost
+    faults = {Status.SINGULAR: (must & ~at.doubtful, may)}
     if needs_guess(p.machine):
         faults[Status.INACCURATE] = (~always(p.count), at.gives_up)
     return faults
@@ -270,6 +271,7 @@ def locate(p: Problem) -> Expected:
     turn = (at.slack + ROUNDINGS * p.epsilon * extent(p.machine)) * arm_share(p) / at.nearest
     off = np.where(at.doubtful, np.inf, ROUNDINGS * p.epsilon + turn)
     drift = off * rates(p, velocity) / squared_least(p, np.where(np.isfinite(at.rows), at.rows, 0))
+    drift = np.where(at.doubtful, np.inf, drift)
     slack = np.where(at.doubtful, np.inf, at.slack)
     values = {
         "pose": pose,

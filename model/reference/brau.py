@@ -4,6 +4,7 @@ structure (..., d, n), wrench (..., d) [N, N m], tension (..., n) [N]. None of t
 `largest_tension` is exact, for any kind, and the judge of the published formulas.
 """
 
+from collections.abc import Iterator
 from itertools import combinations
 
 import numpy as np
@@ -54,17 +55,35 @@ def reduced_matrix_tension(
     batch = np.broadcast_shapes(structure.shape[:-2], wrench.shape[:-1])
     best = np.full((*batch, structure.shape[-1]), np.nan, structure.dtype)
     least = np.full(batch, np.inf, structure.dtype)
-    missing = wrench - lower * np.sum(structure, axis=-1)
-    for carrying in _sets(machine):
-        above = least_squares(structure[..., carrying], missing)
-        slack = _rounding(above.dtype) * np.sum(np.abs(above), axis=-1)
+    for carrying, above in _reduced_tensions(machine, structure, wrench):
         total = np.sum(above, axis=-1)
-        better = np.all(above >= -slack[..., None], axis=-1) & (total < least)
+        better = total < least
         tension = np.full_like(best, lower)
         tension[..., carrying] += np.maximum(above, 0)
         np.copyto(best, tension, where=better[..., None])
         np.copyto(least, total, where=better)
     return best
+
+
+def reduced_matrix_sums(machine: Machine, structure: npt.ArrayLike, wrench: npt.ArrayLike) -> Array:
+    """Sum (..., k) [N] of what the tensions of every set of d cables have above T_min.
+
+    NaN where a set will not do. Where the two least are alike, so are the sets.
+    """
+    structure, wrench = _as_forces(machine, structure, wrench)
+    sums = [np.sum(above, axis=-1) for _, above in _reduced_tensions(machine, structure, wrench)]
+    return np.stack(sums, axis=-1)
+
+
+def _reduced_tensions(
+    machine: Machine, structure: Array, wrench: Array
+) -> Iterator[tuple[list[int], Array]]:
+    """Every set of d cables, and what its tensions have above T_min; NaN where one lacks any."""
+    missing = wrench - machine.tension.min * np.sum(structure, axis=-1)
+    for carrying in _sets(machine):
+        above = least_squares(structure[..., carrying], missing)
+        slack = _rounding(above.dtype) * np.sum(np.abs(above), axis=-1)
+        yield carrying, _where(np.all(above >= -slack[..., None], axis=-1), above)
 
 
 def largest_tensions_eq12(machine: Machine, structure: npt.ArrayLike, force: float) -> Array:

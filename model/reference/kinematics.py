@@ -132,10 +132,10 @@ def forward_kinematics(
     lengths, rails, start = as_floating(lengths, rails, start)
 
     def fit(wanted: Array, coordinates: Array, pose: Array) -> tuple[Array, Array]:
-        def misfit(x: Array, rows: npt.NDArray[np.intp]) -> Misfit:
-            errors = wanted[rows] - cable_lengths(machine, x, coordinates[rows])
-            return Misfit(errors, _pose_jacobian(machine, x, coordinates[rows]))
-
+        misfit = Misfit(
+            lambda x, rows: wanted[rows] - cable_lengths(machine, x, coordinates[rows]),
+            lambda x, rows: _pose_jacobian(machine, x, coordinates[rows]),
+        )
         if closed_form:
             pose = pose_from_points(base_points(machine, coordinates), wanted)
         size = np.max(np.abs(wanted), axis=-1)

@@ -13,15 +13,15 @@ MOST_ITERATIONS = 100
 MOST_HALVINGS = 40
 
 
+#: Of poses (rows, d), for the rows of the batch with these numbers.
+At = Callable[[Array, npt.NDArray[np.intp]], Array]
+
+
 class Misfit(NamedTuple):
     """errors (rows, n) [m], wanted minus found length; jacobian (rows, n, d), d length / d pose."""
 
-    errors: Array
-    jacobian: Array
-
-
-#: Of poses (rows, d), for the rows of the batch with these numbers.
-MisfitAt = Callable[[Array, npt.NDArray[np.intp]], Misfit]
+    errors: At
+    jacobian: At
 
 
 def pose_from_points(points: Array, lengths: Array) -> Array:
@@ -36,7 +36,7 @@ def pose_from_points(points: Array, lengths: Array) -> Array:
     return np.asarray(centre[..., 0, :] + offset)
 
 
-def fit_pose(misfit: MisfitAt, start: Array, lever: Array, size: Array) -> tuple[Array, Array]:
+def fit_pose(misfit: Misfit, start: Array, lever: Array, size: Array) -> tuple[Array, Array]:
     """Pose (rows, d) and residual (rows) [m] from a start (rows, d).
 
     lever (d) [1, m]: makes a step of the pose a length; size (rows) [m]: what rounding counts by.
@@ -45,23 +45,25 @@ def fit_pose(misfit: MisfitAt, start: Array, lever: Array, size: Array) -> tuple
     rounding = 64 * np.finfo(pose.dtype).eps * size
     moving = np.flatnonzero(np.all(np.isfinite(pose), axis=-1))
     for _ in range(MOST_ITERATIONS):
-        at = misfit(pose[moving], moving)
-        step: Array = least_squares(at.jacobian / lever, at.errors) / lever
-        step = _damped(misfit, moving, pose[moving], step, norm(at.errors) + rounding[moving])
+        at = pose[moving]
+        errors, jacobian = misfit.errors(at, moving), misfit.jacobian(at, moving)
+        step: Array = least_squares(jacobian / lever, errors) / lever
+        _damp(misfit, moving, at, step, norm(errors) + rounding[moving])
         pose[moving] += step
         moving = moving[norm(step * lever) > rounding[moving]]
         if not moving.size:
             break
-    return pose, norm(misfit(pose, np.arange(len(pose))).errors)
+    return pose, norm(misfit.errors(pose, np.arange(len(pose))))
 
 
-def _damped(
-    misfit: MisfitAt, rows: npt.NDArray[np.intp], pose: Array, step: Array, acceptable: Array
-) -> Array:
-    """The step, halved until it does not worsen the fit by more than rounding."""
+def _damp(
+    misfit: Misfit, rows: npt.NDArray[np.intp], pose: Array, step: Array, acceptable: Array
+) -> None:
+    """Halve steps until they do not worsen the fit by more than rounding."""
+    left = np.arange(len(rows))
     for _ in range(MOST_HALVINGS):
-        worse = ~(norm(misfit(pose + step, rows).errors) <= acceptable)
-        if not np.any(worse):
+        errors = misfit.errors(pose[left] + step[left], rows[left])
+        left = left[~(norm(errors) <= acceptable[left])]
+        if not left.size:
             break
-        step = np.where(worse[:, None], step / 2, step)
-    return step
+        step[left] /= 2
