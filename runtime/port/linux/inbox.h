@@ -3,6 +3,7 @@
 #define TB_INBOX_H
 
 #include "telemetry.h"
+#include "wishes.h"
 
 /** A force of the inbox, and for how long it has stood. */
 typedef struct {
@@ -19,14 +20,6 @@ typedef struct {
     tb_standing_force force;
     tb_standing_force hand;
 } tb_inbox;
-
-/** The wishes of one cycle. */
-typedef struct {
-    uint32_t requests; /* sum of TB_REQUEST_... */
-    uint32_t hand_force_fresh;
-    real_t force[TB_DOF];      /* N; 0 where none is fresh */
-    real_t hand_force[TB_DOF]; /* N; 0 where none is fresh */
-} tb_wishes;
 
 /** Read the wishes of this cycle; each request is seen once. */
 void tb_inbox_read(tb_inbox *inbox, const tb_telemetry_inbox *shared, tb_wishes *wishes);

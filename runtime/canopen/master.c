@@ -1,0 +1,40 @@
+#include "master.h"
+
+#include <stddef.h>
+
+static const tb_observation nothing_seen;
+static const tb_orders nothing_ordered;
+
+void tb_master_start(tb_master *master, tb_can_port *const ports[TB_BUSES])
+{
+    master->seen = nothing_seen;
+    master->orders = nothing_ordered;
+    tb_network_start(&master->network, ports);
+    tb_supervisor_start(&master->supervisor);
+    tb_recorder_start(&master->recorder, &master->supervisor);
+}
+
+void tb_master_sync(tb_master *master)
+{
+    tb_network_sync(&master->network);
+}
+
+static void hear(tb_observation *seen, const tb_wishes *wishes, uint32_t missed)
+{
+    for (size_t i = 0; i < TB_DOF; i++) {
+        seen->force[i] = wishes->force[i];
+        seen->hand_force[i] = wishes->hand_force[i];
+    }
+    seen->hand_force_fresh = wishes->hand_force_fresh;
+    seen->requests = wishes->requests;
+    seen->missed = missed;
+}
+
+void tb_master_run(tb_master *master, const tb_wishes *wishes, uint32_t missed)
+{
+    hear(&master->seen, wishes, missed);
+    tb_network_collect(&master->network, &master->seen);
+    tb_supervisor_step(&master->supervisor, &master->seen, &master->orders);
+    tb_recorder_keep(&master->recorder, &master->seen, &master->orders, &master->supervisor);
+    tb_network_dispatch(&master->network, &master->orders);
+}

@@ -1,0 +1,38 @@
+/* The master: one control cycle, for every port. A port has a clock and opened buses, and calls
+ *
+ *   tb_master_sync   at the start of every cycle
+ *   tb_master_run    TB_COMPUTE_PHASE later
+ *
+ * Everything is in tb_master: what was seen and ordered is there to be shown, the recorder to be
+ * read out after the last cycle. */
+#ifndef TB_MASTER_H
+#define TB_MASTER_H
+
+#include <stdint.h>
+
+#include "can.h"
+#include "network.h"
+#include "recorder.h"
+#include "supervisor.h"
+#include "supervisor_memory.h"
+#include "wishes.h"
+
+/** A machine under control. */
+typedef struct {
+    tb_network network;
+    tb_supervisor supervisor;
+    tb_recorder recorder;
+    tb_observation seen; /* of the last cycle, as the next */
+    tb_orders orders;
+} tb_master;
+
+/** Take over opened ports, in the order of the buses in the machine file; begin in INIT. */
+void tb_master_start(tb_master *master, tb_can_port *const ports[TB_BUSES]);
+
+/** Begin a cycle: SYNC. */
+void tb_master_sync(tb_master *master);
+
+/** Go on with it: read the answers, decide, send. missed: cycles skipped since the last one. */
+void tb_master_run(tb_master *master, const tb_wishes *wishes, uint32_t missed);
+
+#endif
