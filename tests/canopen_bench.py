@@ -27,13 +27,22 @@ class Bench:
         self.orders = self.c.new("tb_orders")
         self.orders.beat = 1
         ports = (c_void_p * len(self.loops))(*map(addressof, self.loops))
-        self.c.tb_network_start(byref(self.network), ports)
+        self.start(ports)
         self.answers: Tamper = lambda bus, frame: [frame]
         """What reaches the master of a frame that a drive sent."""
         self.synced: list[list[Frame]] = []
         """Frames of the master at the beginning of the last cycle, by bus."""
         self.dispatched: list[list[Frame]] = []
         """Frames of the master at its end."""
+
+    def start(self, ports: Any) -> None:
+        """Take over the ports."""
+        self.c.tb_network_start(byref(self.network), ports)
+
+    def tick(self) -> None:
+        """A millisecond has passed for the drives."""
+        for wire in self.wires:
+            wire.tick()
 
     def cycle(self, count: int = 1) -> None:
         """Run some cycles."""
@@ -44,10 +53,9 @@ class Bench:
 
     def sync(self) -> None:
         """SYNC, and what the drives answer to it."""
-        for wire in self.wires:
-            wire.tick()
+        self.tick()
         self.c.tb_network_sync(byref(self.network))
-        self.synced = [self._carry(bus) for bus in range(len(self.loops))]
+        self.synced = self.carry()
 
     def collect(self) -> None:
         """The observation."""
@@ -56,12 +64,16 @@ class Bench:
     def dispatch(self) -> None:
         """The orders; what is answered to them waits for the next cycle."""
         self.c.tb_network_dispatch(byref(self.network), byref(self.orders))
-        self.dispatched = [self._carry(bus) for bus in range(len(self.loops))]
+        self.dispatched = self.carry()
 
     def give(self, bus: int, *frames: Frame) -> None:
         """Frames reach the master."""
         for frame in frames:
             self.c.tb_loopback_give(byref(self.loops[bus]), byref(self.c.frame(frame)))
+
+    def carry(self) -> list[list[Frame]]:
+        """What the master sent reaches the drives, and their answers reach it; by bus."""
+        return [self._carry(bus) for bus in range(len(self.loops))]
 
     def _carry(self, bus: int) -> list[Frame]:
         sent, frame = [], self.c.new("tb_can_frame")

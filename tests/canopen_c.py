@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -13,7 +14,8 @@ from codegen.compile import compile_library
 
 ROOT = Path(__file__).parents[1]
 MACHINE = ROOT / "generated" / "yoon2023"
-RUNTIME = ROOT / "runtime"
+RUNTIME = Path(os.environ.get("TURNBUCKLE_RUNTIME", ROOT / "runtime"))
+"""The C under test; a test that seeds a defect has a copy of its own."""
 FOLDERS = [MACHINE, RUNTIME / "core", RUNTIME / "can", RUNTIME / "canopen"]
 SOURCES = [
     MACHINE / "tb_drives.c",
@@ -33,10 +35,10 @@ class Frame(NamedTuple):
 class Canopen:
     """The compiled library; an attribute is a C function, a struct or an enumerator."""
 
-    def __init__(self, precision: str = "double") -> None:
+    def __init__(self, sources: Sequence[Path] = SOURCES, precision: str = "double") -> None:
         compiler = f"{os.environ.get('CC') or 'gcc'} -g"
         with mock.patch.dict(os.environ, CC=compiler):
-            path = compile_library(SOURCES, FOLDERS, precision)
+            path = compile_library(sources, FOLDERS, precision)
         self._library = ctypes.CDLL(str(path))
         self._declared: Declarations = declarations(path)
 
@@ -51,6 +53,11 @@ class Canopen:
     def new(self, name: str) -> Any:
         """A struct, all zero."""
         return self._declared.types[name]()
+
+    def constants(self, prefix: str) -> dict[str, int]:
+        """All enumerators whose names begin alike."""
+        named = self._declared.constants.items()
+        return {name: value for name, value in named if name.startswith(prefix)}
 
     def variable(self, name: str) -> Any:
         """A variable of the library."""
@@ -74,6 +81,6 @@ def read(frame: Any) -> Frame:
 
 
 @cache
-def canopen_c(precision: str = "double") -> Canopen:
-    """The library, compiled and loaded once."""
-    return Canopen(precision)
+def canopen_c() -> Canopen:
+    """The network of drives and what is below it, compiled and loaded once."""
+    return Canopen()

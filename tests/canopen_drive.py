@@ -87,6 +87,7 @@ class Drive:
         """Every controlword and target that arrived."""
         self.applied: list[tuple[int, int]] = []
         """The same of every SYNC."""
+        self.power_at_boot = "OFF"
         self._waiting: tuple[int, int] | None = None
         self._sizes = sizes
         self.wire.add_node(self.node)
@@ -122,7 +123,7 @@ class Drive:
         self.node.nmt.state = "PRE-OPERATIONAL"
 
     def _forget(self) -> None:
-        self.machine = Machine("OFF")
+        self.machine = Machine(self.power_at_boot)
         self._waiting = None
         self.node.data_store.clear()
         for (index, subindex), size in self._sizes.items():
