@@ -5,16 +5,18 @@ An order of cycle k is taken over at the bus's next SYNC and shows in the answer
 
 import ctypes
 import os
+import re
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
+from codegen.bind import keep_text
 from codegen.compile import compile_library
 
 ROOT = Path(__file__).parents[1]
@@ -98,12 +100,14 @@ class Bus(ctypes.Structure):
     _fields_ = [(name, ctypes.c_uint8) for name in ("state", "refused", "stranger", "malformed")]
 
 
-class Observation(ctypes.Structure):
-    """tb_observation"""
+Fields = list[tuple[str, Any]]
 
-    _fields_ = [
-        ("drives", Report * DRIVES),
-        ("buses", Bus * BUSES),
+
+def observation_fields(drives: int, buses: int) -> Fields:
+    """Of tb_observation."""
+    return [
+        ("drives", Report * drives),
+        ("buses", Bus * buses),
         ("force", ctypes.c_double * DOF),
         ("hand_force", ctypes.c_double * DOF),
         ("hand_force_fresh", ctypes.c_uint32),
@@ -112,32 +116,31 @@ class Observation(ctypes.Structure):
     ]
 
 
-class Outputs(ctypes.Structure):
-    """tb_outputs"""
-
-    _fields_ = [
-        ("pose", ctypes.c_double * DOF),
-        ("velocity", ctypes.c_double * DOF),
+def outputs_fields(slots: int) -> Fields:
+    """Of tb_outputs."""
+    rails, cables, freedoms = (ctypes.c_double * count for count in (slots, CABLES, DOF))
+    return [
+        ("pose", freedoms),
+        ("velocity", freedoms),
         ("residual", ctypes.c_double),
-        ("wanted_force", ctypes.c_double * DOF),
-        ("delivered_force", ctypes.c_double * DOF),
-        ("tension", ctypes.c_double * CABLES),
-        ("disturbance", ctypes.c_double * CABLES),
-        ("motor_torque", ctypes.c_double * CABLES),
-        ("rail_target", ctypes.c_double * RAILS),
-        ("rail_force", ctypes.c_double * RAILS),
-        ("rail_torque", ctypes.c_double * RAILS),
+        ("wanted_force", freedoms),
+        ("delivered_force", freedoms),
+        ("tension", cables),
+        ("disturbance", cables),
+        ("motor_torque", cables),
+        ("rail_target", rails),
+        ("rail_force", rails),
+        ("rail_torque", rails),
         ("gate", ctypes.c_uint32 * CABLES),
         ("status", ctypes.c_int32),
     ]
 
 
-class Orders(ctypes.Structure):
-    """tb_orders"""
-
-    _fields_ = [
-        ("drives", Order * DRIVES),
-        ("controller", Outputs),
+def orders_fields(drives: int, outputs: type[ctypes.Structure]) -> Fields:
+    """Of tb_orders."""
+    return [
+        ("drives", Order * drives),
+        ("controller", outputs),
         ("slack", ctypes.c_double * CABLES),
         ("beat", ctypes.c_uint8),
         ("state", ctypes.c_uint8),
@@ -151,6 +154,24 @@ class Orders(ctypes.Structure):
     ]
 
 
+class Observation(ctypes.Structure):
+    """tb_observation of the stock machine"""
+
+    _fields_ = observation_fields(DRIVES, BUSES)
+
+
+class Outputs(ctypes.Structure):
+    """tb_outputs of the stock machine"""
+
+    _fields_ = outputs_fields(RAILS)
+
+
+class Orders(ctypes.Structure):
+    """tb_orders of the stock machine"""
+
+    _fields_ = orders_fields(DRIVES, Outputs)
+
+
 #: Tells sizes and places that the tests need, and writes coverage when it is measured.
 SHIM = r"""
 #include "supervisor_memory.h"
@@ -159,17 +180,19 @@ size_t shim_size(int what)
 {
     static const size_t sizes[] = {sizeof(tb_observation), sizeof(tb_orders), sizeof(tb_supervisor),
         offsetof(tb_supervisor, complement), offsetof(tb_supervisor, drives[1].sent),
-        offsetof(tb_supervisor, state), offsetof(tb_supervisor, drives[5].sent)};
+        offsetof(tb_supervisor, state), offsetof(tb_supervisor, drives[3].sent)};
     return sizes[what];
 }
 """
 
 
-def machine_folder(folder: Path, change: Callable[[str, str], str]) -> Path:
-    """The stock machine's C with `change(name, text)` made to every file."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for path in STOCK.glob("*.[ch]"):
-        (folder / path.name).write_text(change(path.name, path.read_text()))
+def machine_folder(name: str, generated: Path, drives: Callable[[str], str]) -> Path:
+    """The generated C of a machine; its tb_drives.* the stock machine's, changed by `drives`."""
+    folder = BUILD / name
+    for path in generated.glob("*.[ch]"):
+        keep_text(folder / path.name, path.read_text())
+    for path in STOCK.glob("tb_drives.[ch]"):
+        keep_text(folder / path.name, drives(path.read_text()))
     return folder
 
 
@@ -181,9 +204,7 @@ def sources(machine: Path) -> list[Path]:
 def compiled(machine: Path, name: str) -> ctypes.CDLL:
     """The supervisor of a machine; `name` keeps measurements of coverage apart."""
     shim = BUILD / "shim.c"
-    shim.parent.mkdir(parents=True, exist_ok=True)
-    if not shim.exists() or shim.read_text() != SHIM:
-        shim.write_text(SHIM)
+    keep_text(shim, SHIM)
     files, include = [*sources(machine), shim], [machine, CORE]
     if COVERAGE is None:
         return ctypes.CDLL(str(compile_library(files, include)))
@@ -213,16 +234,10 @@ def stock_library() -> ctypes.CDLL:
 def position_library() -> ctypes.CDLL:
     """The same machine with base drives that follow positions."""
 
-    def change(name: str, text: str) -> str:
-        if name != "tb_drives.c":
-            return text
-        rows = text.split("tb_drives[TB_DRIVES] = {")
-        for base in range(4):
-            head, tail = rows[1].split(f'"base_{base + 1}", 2, {base + 1}, 0,')
-            rows[1] = f'{head}"base_{base + 1}", 2, {base + 1}, 1,{tail}'
-        return "tb_drives[TB_DRIVES] = {".join(rows)
+    def follow_position(text: str) -> str:
+        return re.sub(r'(\{"base_\d", \d, \d,) 0,', r"\1 1,", text)
 
-    return compiled(machine_folder(BUILD / "position", change), "position")
+    return compiled(machine_folder("position", STOCK, follow_position), "position")
 
 
 @dataclass
@@ -257,20 +272,21 @@ class Drive:
 class Machine:
     """The stock machine with ideal drives, its handle held where `handle` says."""
 
+    observation: ClassVar[type[Observation]] = Observation
+    told: ClassVar[type[Orders]] = Orders
+
     library: ctypes.CDLL
     handle: tuple[float, float] = (0.39, 0.21)
     cycle: int = 0
     drives: list[Drive] = field(default_factory=lambda: [Drive() for _ in range(DRIVES)])
     rails: list[float] = field(default_factory=lambda: [0.3, 0.2, 0.42, 0.3])
     rates: list[float] = field(default_factory=lambda: [0.0] * RAILS)
-    homes: list[float] = field(default_factory=lambda: [0.0] * RAILS)
 
     def __post_init__(self) -> None:
         sizes = [self.library.shim_size(what) for what in range(3)]
-        assert sizes[:2] == [ctypes.sizeof(Observation), ctypes.sizeof(Orders)]
+        self.seen, self.orders = self.observation(), self.told()
+        assert sizes[:2] == [ctypes.sizeof(self.seen), ctypes.sizeof(self.orders)]
         self.memory = ctypes.create_string_buffer(sizes[2])
-        self.seen = Observation()
-        self.orders = Orders()
         self.library.tb_supervisor_start(self.memory)
 
     def save(self) -> tuple[Any, ...]:
@@ -291,13 +307,13 @@ class Machine:
     def step(self, spoil: Callable[[Observation], None] | None = None) -> Orders:
         """One cycle: SYNC, answers, supervisor. `spoil` changes what it sees."""
         self.move()
-        for index in range(DRIVES):
+        for index in range(len(self.drives)):
             self.answer(index)
         if spoil is not None:
             spoil(self.seen)
         pointers = map(ctypes.byref, (self.seen, self.orders))
         self.library.tb_supervisor_step(self.memory, *pointers)
-        for index in range(DRIVES):
+        for index in range(len(self.drives)):
             self.do_task(index)
         self.cycle += 1
         return self.orders
@@ -353,7 +369,7 @@ class Machine:
 
     def move(self) -> None:
         """One period of the bases: 1 kg with a little friction, or wherever they are told to be."""
-        for rail in range(RAILS):
+        for rail in range(len(self.rails)):
             drive = self.drives[CABLES + rail]
             torque, position, _, _, _, home = drive.applied
             if drive.power != Power.ENABLED:

@@ -75,13 +75,15 @@ bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOT
     return arrived;
 }
 
-size_t tb_guide_find_lost(const tb_guide *guide)
+bool tb_guide_has_lost(const tb_guide *guide, size_t *rail)
 {
-    size_t lost = 0;
-    while ((lost < TB_RAILS) && (guide->lagging[lost] <= TB_RAIL_LAG_CYCLES)) {
-        lost++;
+    for (size_t i = 0; i < TB_RAILS; i++) {
+        if (guide->lagging[i] > TB_RAIL_LAG_CYCLES) {
+            *rail = i;
+            return true;
+        }
     }
-    return lost;
+    return false;
 }
 
 #else
@@ -113,10 +115,11 @@ bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOT
     return true;
 }
 
-size_t tb_guide_find_lost(const tb_guide *guide)
+bool tb_guide_has_lost(const tb_guide *guide, size_t *rail)
 {
     (void)guide;
-    return TB_RAILS;
+    (void)rail;
+    return false;
 }
 
 #endif

@@ -35,8 +35,8 @@ void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
 bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
                           const real_t targets[TB_RAIL_SLOTS], real_t distance);
 
-/** First base that has been more than TB_RAIL_LAG_LIMIT off its reference for more than
- *  TB_RAIL_LAG_CYCLES, from 0; TB_RAILS for none. */
-size_t tb_guide_find_lost(const tb_guide *guide);
+/** Whether a base has been more than TB_RAIL_LAG_LIMIT off its reference for more than
+ *  TB_RAIL_LAG_CYCLES; `rail` is then the first such one, from 0. */
+bool tb_guide_has_lost(const tb_guide *guide, size_t *rail);
 
 #endif

@@ -26,9 +26,10 @@ tb_blame tb_guide_bases(tb_supervisor *supervisor, const real_t targets[TB_RAIL_
         wanted->torque = torque[i - TB_CABLES];
         wanted->position = supervisor->guide.reference[i - TB_CABLES];
     }
-    size_t const lost = tb_guide_find_lost(&supervisor->guide);
-    return (lost < TB_RAILS) ? tb_blame_for(TB_CAUSE_BASE_LOST, TB_CABLES + lost, 0)
-                             : tb_no_blame();
+    size_t lost = 0;
+    return tb_guide_has_lost(&supervisor->guide, &lost)
+               ? tb_blame_for(TB_CAUSE_BASE_LOST, TB_CABLES + lost, 0)
+               : tb_no_blame();
 }
 
 tb_blame tb_hold_bases(tb_supervisor *supervisor)

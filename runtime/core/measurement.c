@@ -10,12 +10,7 @@ void tb_measurement_forget(tb_measurement *measurement, size_t drive)
 /* Most that a drive can move in a cycle. */
 static real_t largest_move(size_t drive)
 {
-#if TB_RAILS > 0
     return TB_PERIOD * ((drive < TB_CABLES) ? TB_CABLE_SPEED_LIMIT : TB_RAIL_SPEED_LIMIT);
-#else
-    (void)drive;
-    return TB_PERIOD * TB_CABLE_SPEED_LIMIT;
-#endif
 }
 
 static real_t position_now(const tb_track *track)

@@ -3,8 +3,6 @@
 #include "drive_orders.h"
 #include "torque_gate.h"
 
-#if TB_RAILS > 0
-
 static const tb_gate_limits torque_limits = {.low = -TB_RAIL_TORQUE_LIMIT,
                                              .high = TB_RAIL_TORQUE_LIMIT,
                                              .step = TB_RAIL_TORQUE_STEP,
@@ -34,17 +32,6 @@ static tb_gate_limits limits_of(const tb_supervisor *supervisor, size_t drive)
     }
     return position_limits(drive, tb_measured_position(&supervisor->measurement, drive));
 }
-
-#else
-
-static tb_gate_limits limits_of(const tb_supervisor *supervisor, size_t drive)
-{
-    (void)supervisor;
-    (void)drive;
-    return tb_cable_limits;
-}
-
-#endif
 
 /* Whatever forbids a drive to follow is a fault too, so that all the others stop with it. */
 static tb_permission permission_of(const tb_drive_order *wanted, const tb_drive_report *report,

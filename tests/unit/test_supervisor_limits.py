@@ -104,7 +104,7 @@ def base_limits() -> tuple[float, float]:
     return -limit, limit
 
 
-@settings(max_examples=400)
+@settings(max_examples=150)
 @given(data=st.data())
 def test_no_order_is_ever_beyond_its_limits(
     moments: tuple[Machine, Moments], data: st.DataObject
