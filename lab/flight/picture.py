@@ -22,27 +22,36 @@ PAPER: dict[Any, Any] = STYLE | {
     "legend.fontsize": 7.5,
     "lines.linewidth": 1.0,
 }
+Outputs = dict[str, NDArray[Any]]
 STATES = ["#F4F5F7", "#DDE3EA"]
 FAULT = "#F6D5CF"
-LEAST_WIDTH = 0.07
-"""Share of the time axis below which a state has no room for its name."""
+LETTER = 0.012
+"""Share of the time axis that a letter takes."""
 
 
 def draw(recording: Recording, path: Path) -> None:
     """Draw a recording into a PNG file, as wide as a page's text; OSError where it cannot."""
-    time, out = times(recording), recording.cycles["orders"]["controller"]
+    time, controller = times(recording), recording.cycles["orders"]["controller"]
+    out = {name: where_it_runs(controller, name) for name in ("pose", "residual")}
     with rc_context(PAPER):
         figure = Figure(figsize=(6.3, 7.0), dpi=200, layout="constrained")
         axes = figure.subplots(5, 1, sharex=True, height_ratios=[0.5, 2, 2, 1.6, 1.6])
         draw_states(axes[0], recording, time)
         draw_pose(axes[1], recording, time, out)
-        draw_tensions(axes[2], recording, time, out)
-        draw_torques(axes[3], recording, time)
+        draw_ordered(axes[2], recording, time)
+        draw_reported(axes[3], recording, time)
         draw_residual(axes[4], recording, time, out)
         mark_cause(axes, recording, time)
+        figure.align_ylabels()
         axes[-1].set(xlabel="time since the first recorded cycle [s]", xlim=(time[0], time[-1]))
         path.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(path)
+
+
+def where_it_runs(out: NDArray[Any], name: str) -> NDArray[Any]:
+    """An output of the controller; NaN while it does not run and all its outputs are 0."""
+    idle = ~(out["pose"].any(axis=1) | out["tension"].any(axis=1))
+    return np.where(idle.reshape(-1, *[1] * (out[name].ndim - 1)), np.nan, out[name])
 
 
 def draw_states(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
@@ -54,16 +63,14 @@ def draw_states(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> 
         name = str(names[begin])
         colour = FAULT if name in ("fault", "hard stop") else STATES[turn % 2]
         axes.axvspan(time[begin], time[end], facecolor=colour, edgecolor=FAINT, lw=0.5)
-        if time[end] - time[begin] > LEAST_WIDTH * (time[-1] - time[0]):
+        if time[end] - time[begin] > LETTER * (len(name) + 1) * (time[-1] - time[0]):
             middle = (time[begin] + time[end]) / 2
             axes.text(middle, 0.5, name, ha="center", va="center", size=7.5)
     axes.set(title=f"{recording.machine.name}: state", ylim=(0, 1), yticks=[])
     axes.grid(visible=False)
 
 
-def draw_pose(
-    axes: Axes, recording: Recording, time: NDArray[np.float64], out: NDArray[Any]
-) -> None:
+def draw_pose(axes: Axes, recording: Recording, time: NDArray[np.float64], out: Outputs) -> None:
     """Position of the platform, and its turn beside it where it turns."""
     machine = recording.machine
     for i, (name, values) in enumerate(along(machine, "pose", out["pose"], "m", "rad")):
@@ -74,29 +81,28 @@ def draw_pose(
     legend(axes, machine.dof)
 
 
-def draw_tensions(
-    axes: Axes, recording: Recording, time: NDArray[np.float64], out: NDArray[Any]
-) -> None:
-    """What the controller commands, where it runs, with the bounds."""
-    tension = recording.machine.tension
-    for i, cable in enumerate(recording.machine.cables):
-        line(axes, recording, time, out["tension"][:, i], i, cable.drive)
-    for value in (tension.min, tension.max):
+def draw_ordered(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
+    """What is ordered of the cable drives, as tension, with the bounds."""
+    machine, order = recording.machine, recording.cycles["orders"]["drives"]
+    for i, cable in enumerate(machine.cables):
+        tension = order["torque"][:, i] / machine.drum.radius
+        line(axes, recording, time, tension, i, cable.drive)
+    for value in (machine.tension.min, machine.tension.max):
         axes.axhline(value, color=INK, ls=":", lw=0.8)
-    axes.set(title="Commanded tensions (dotted: bounds)", ylabel="N")
-    legend(axes, len(recording.machine.cables))
+    axes.set(title="Ordered tensions", ylabel="N")
+    legend(axes, len(machine.cables))
 
 
-def draw_torques(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
-    """What the cable drives report."""
-    reports = recording.cycles["seen"]["drives"]
-    for i, _cable in enumerate(recording.machine.cables):
-        line(axes, recording, time, MM * reports["torque"][:, i], i, "")
-    axes.set(title="Torques that the cable drives report", ylabel="mN m")
+def draw_reported(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
+    """What the cable drives report, as tension."""
+    machine, report = recording.machine, recording.cycles["seen"]["drives"]
+    for i, cable in enumerate(machine.cables):
+        line(axes, recording, time, report["torque"][:, i] / machine.drum.radius, i, cable.drive)
+    axes.set(title="Tensions that the drives report", ylabel="N")
 
 
 def draw_residual(
-    axes: Axes, recording: Recording, time: NDArray[np.float64], out: NDArray[Any]
+    axes: Axes, recording: Recording, time: NDArray[np.float64], out: Outputs
 ) -> None:
     """By how much the measured lengths disagree, and what that would make of each cable."""
     for i, cable in enumerate(recording.machine.cables):

@@ -17,6 +17,8 @@ from lab.flight import FlightError
 from lab.flight.recording import Recording, Records, Segment
 
 SHIM = Path(__file__).parent / "replay_shim.c"
+#: Topics of a machine's C that no running program calls.
+DESIGN = ("tb_comparison.c", "tb_quality.c")
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,8 @@ class Supervisor:
 
     def __init__(self, folder: Path, precision: str, core: Path = RUNTIME_CORE) -> None:
         """Compile the C of a machine, in `folder`, together with the runtime's core."""
-        sources = [*sorted(folder.glob("*.c")), *sorted(core.glob("*.c")), SHIM]
+        generated = [path for path in sorted(folder.glob("*.c")) if path.name not in DESIGN]
+        sources = [*generated, *sorted(core.glob("*.c")), SHIM]
         self._library = ctypes.CDLL(str(compile_library(sources, [folder, core], precision)))
         self._library.shim_replay.restype = None
 

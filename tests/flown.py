@@ -1,0 +1,77 @@
+"""The flight recorder, recording the supervisor before ideal drives."""
+
+import ctypes
+from collections.abc import Callable
+from functools import cache
+
+from supervised import CORE, SHIM, STOCK, Machine, Observation, Orders, sources
+
+from codegen.bind import keep_text
+from codegen.compile import LIBRARIES, compile_library
+from lab.flight.replay import DESIGN
+
+SEGMENTS, SEGMENT_CYCLES = 40, 256
+"""TB_RECORDER_SEGMENTS and TB_SEGMENT_CYCLES of runtime/core/recorder.h."""
+
+READ_OUT = """
+#include <string.h>
+#include "recorder.h"
+size_t shim_recorder_size(void);
+size_t shim_read_out(const tb_recorder *recorder, unsigned char *out);
+size_t shim_recorder_size(void)
+{
+    return sizeof(tb_recorder);
+}
+size_t shim_read_out(const tb_recorder *recorder, unsigned char *out)
+{
+    size_t size = 0;
+    tb_recorder_reader reader;
+    tb_recorder_open(&reader, recorder);
+    for (tb_recorder_piece piece = tb_recorder_read(&reader); piece.size > 0;
+         piece = tb_recorder_read(&reader)) {
+        memcpy(&out[size], piece.bytes, piece.size);
+        size += piece.size;
+    }
+    return size;
+}
+"""
+
+
+@cache
+def library() -> ctypes.CDLL:
+    """The stock machine's supervisor and recorder."""
+    folder = LIBRARIES.parent / "flown"
+    keep_text(folder / "shim.c", SHIM)
+    keep_text(folder / "read_out.c", READ_OUT)
+    shims = [folder / "shim.c", folder / "read_out.c"]
+    files = [path for path in sources(STOCK) if path.name not in DESIGN]
+    loaded = ctypes.CDLL(str(compile_library([*files, *shims], [STOCK, CORE])))
+    for name in ("shim_recorder_size", "shim_read_out"):
+        getattr(loaded, name).restype = ctypes.c_size_t
+    return loaded
+
+
+class Flight:
+    """A machine whose every cycle is recorded."""
+
+    def __init__(self) -> None:
+        """Power-on."""
+        self.machine = Machine(library())
+        self.size = library().shim_recorder_size()
+        self.recorder = ctypes.create_string_buffer(self.size)
+        library().tb_recorder_start(self.recorder, self.machine.memory)
+        step = self.machine.step
+
+        def recorded(spoil: Callable[[Observation], None] | None = None) -> Orders:
+            orders = step(spoil)
+            pointers = map(ctypes.byref, (self.machine.seen, orders))
+            library().tb_recorder_keep(self.recorder, *pointers, self.machine.memory)
+            return orders
+
+        self.machine.step = recorded  # type: ignore[method-assign]
+
+    def read_out(self) -> bytes:
+        """The recording as the port would write it."""
+        out = ctypes.create_string_buffer(self.size + 4096)
+        size = library().shim_read_out(self.recorder, out)
+        return out.raw[:size]

@@ -1,0 +1,353 @@
+"""Flight recordings: recorded before ideal drives, run again to the bit, refused when damaged."""
+
+import csv
+import ctypes
+import struct
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from flown import SEGMENT_CYCLES, SEGMENTS, Flight
+from pyarrow import parquet
+from supervised import CORE, RESET, STOCK, Cause, Observation, Power, State
+from typer.testing import CliRunner
+
+from codegen.bind import REALS
+from codegen.compile import compile_library
+from lab.flight import FlightError
+from lab.flight.recording import (
+    END,
+    HEADER,
+    SEGMENT,
+    Recording,
+    cycle_layout,
+    read_recording,
+)
+from lab.flight.replay import Supervisor, run_again
+from lab.flight.table import times
+from lab.flight.words import words
+from model.machine import load_machine
+from turnbuckle import app
+
+MACHINE = STOCK.parents[1] / "machines" / "yoon2023.toml"
+
+
+def drive_fails(seen: Observation) -> None:
+    """Drive 2 has an over-current."""
+    seen.drives[2].power = Power.FAULT
+    seen.drives[2].error_code, seen.drives[2].error_class = 0x2310, 2
+
+
+def flown() -> Flight:
+    """From power-on to RUN, under a force, until a drive fails."""
+    flight = Flight()
+    flight.machine.arm()
+    flight.machine.run(30000, lambda orders: orders.state == State.RUN)
+    flight.machine.seen.force[0] = 2.0
+    flight.machine.run(200)
+    flight.machine.run(1, spoil=drive_fails)
+    flight.machine.drives[2].power = Power.FAULT
+    flight.machine.run(1000)
+    return flight
+
+
+@pytest.fixture(scope="module")
+def content() -> bytes:
+    """A recording from power-on to FAULT."""
+    return flown().read_out()
+
+
+@pytest.fixture(scope="module")
+def dump(content: bytes, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same as a file."""
+    path = tmp_path_factory.mktemp("flight") / "flight.dump"
+    path.write_bytes(content)
+    return path
+
+
+@pytest.fixture(scope="module")
+def recording(dump: Path) -> Recording:
+    """The same, read."""
+    return read_recording(dump, MACHINE)
+
+
+@pytest.fixture(scope="module")
+def supervisor() -> Supervisor:
+    """The stock machine's C."""
+    return Supervisor(STOCK, "double")
+
+
+def sealed(content: bytes) -> bytes:
+    """A changed recording with the right checksum."""
+    body = content[: -END.itemsize]
+    end = content[-END.itemsize :]
+    return body + end[:8] + struct.pack("<I", zlib.crc32(body)) + end[12:]
+
+
+def test_a_recording_is_read_as_it_was_recorded(recording: Recording) -> None:
+    states = recording.cycles["orders"]["state"]
+    assert {State(state).name for state in np.unique(states)} >= {
+        "INIT",
+        "CONFIGURE",
+        "HOME",
+        "TENSION",
+        "RUN",
+        "FAULT",
+    }
+    assert np.array_equal(recording.numbers, np.arange(len(states)))
+    last = recording.cycles[-1]["orders"]
+    assert (last["cause"], last["culprit"]) == (Cause.DRIVE_FAULT, 2)
+    forces = recording.cycles["seen"]["force"][:, 0]
+    assert (forces[0], forces[-1]) == (0.0, 2.0)
+
+
+def test_every_order_is_the_same_again_to_the_bit(
+    recording: Recording, supervisor: Supervisor
+) -> None:
+    found = run_again(recording, supervisor)
+    assert found.difference is None
+    assert found.matched == len(recording.numbers) > 5000
+
+
+PLACES = """
+#include "recorder.h"
+size_t places[] = {
+    sizeof(tb_recording_header), sizeof(tb_recording_end), sizeof(tb_recorded_cycle),
+    sizeof(tb_drive_report), sizeof(tb_drive_order), offsetof(tb_segment, before),
+    offsetof(tb_drive_report, fresh), offsetof(tb_drive_report, detail),
+    offsetof(tb_observation, force), offsetof(tb_observation, missed),
+    offsetof(tb_orders, controller), offsetof(tb_orders, slack), offsetof(tb_orders, cause),
+    offsetof(tb_orders, detail)};
+"""
+
+
+@pytest.mark.parametrize("precision", REALS)
+def test_the_layouts_are_those_of_the_c(precision: str, tmp_path: Path) -> None:
+    cycle = cycle_layout(load_machine(MACHINE), precision)
+    seen, orders = cycle["seen"], cycle["orders"]
+    report, order = seen["drives"].base, orders["drives"].base
+    wanted = [
+        *(layout.itemsize for layout in (HEADER, END, cycle, report, order, SEGMENT)),
+        *(report.fields[name][1] for name in ("fresh", "detail")),
+        *(seen.fields[name][1] for name in ("force", "missed")),
+        *(orders.fields[name][1] for name in ("controller", "slack", "cause", "detail")),
+    ]
+    source = tmp_path / "places.c"
+    source.write_text(PLACES)
+    library = ctypes.CDLL(str(compile_library([source], [STOCK, CORE], precision)))
+    found = (ctypes.c_size_t * len(wanted)).in_dll(library, "places")
+    assert list(found) == wanted
+
+
+@pytest.mark.parametrize("field", ["torque", "goal"])
+def test_a_flipped_bit_in_a_recorded_order_is_found_where_it_is(
+    recording: Recording, supervisor: Supervisor, field: str
+) -> None:
+    spoilt = copied(recording)
+    cycle = 3 * SEGMENT_CYCLES + 17
+    numbers = spoilt.segments[3].cycles["orders"]["drives"][field]
+    numbers[17, 5] = np.nextafter(numbers[17, 5], 1.0) if field == "torque" else numbers[17, 5] ^ 1
+    found = run_again(spoilt, supervisor)
+    assert found.difference is not None
+    assert (found.difference.cycle, found.difference.field) == (cycle, f"drives.{field}[5]")
+    assert found.matched == cycle
+
+
+def test_a_changed_measurement_is_found(recording: Recording, supervisor: Supervisor) -> None:
+    spoilt = copied(recording)
+    running = int(np.flatnonzero(spoilt.cycles["orders"]["state"] == State.RUN)[0])
+    segment = spoilt.segments[running // SEGMENT_CYCLES]
+    at = running % SEGMENT_CYCLES
+    segment.cycles["seen"]["drives"]["position"][at, 1] += 1e-9
+    found = run_again(spoilt, supervisor)
+    assert found.difference is not None
+    assert found.difference.cycle == running
+
+
+def test_a_changed_memory_is_found(recording: Recording, supervisor: Supervisor) -> None:
+    spoilt = copied(recording)
+    spoilt.segments[5].before[0] ^= 1  # the state
+    found = run_again(spoilt, supervisor)
+    assert found.difference is not None
+    assert found.difference.cycle == 5 * SEGMENT_CYCLES
+
+
+def test_a_changed_constant_in_the_c_is_found(recording: Recording, tmp_path: Path) -> None:
+    for path in STOCK.glob("*.[ch]"):
+        text = path.read_text()
+        if path.name == "tb_machine.h":
+            assert "#define TB_TENSION_MIN TB_C(3.0)" in text
+            text = text.replace("TB_TENSION_MIN TB_C(3.0)", "TB_TENSION_MIN TB_C(3.0000001)")
+        (tmp_path / path.name).write_text(text)
+    found = run_again(recording, Supervisor(tmp_path, "double"))
+    assert found.difference is not None
+    assert "torque" in found.difference.field
+
+
+def copied(recording: Recording) -> Recording:
+    """A recording whose arrays can be changed."""
+    segments = [
+        type(segment)(segment.first, segment.before.copy(), segment.cycles.copy())
+        for segment in recording.segments
+    ]
+    return type(recording)(
+        recording.path, recording.machine, recording.hash, recording.precision, segments
+    )
+
+
+def test_the_ring_keeps_the_last_cycles_and_holds_still_after_a_fault(
+    tmp_path: Path, supervisor: Supervisor
+) -> None:
+    path, ring = tmp_path / "long.dump", SEGMENTS * SEGMENT_CYCLES
+    long = Flight()
+    long.machine.run(ring + 3 * SEGMENT_CYCLES + 5)
+    path.write_bytes(long.read_out())
+    before = read_recording(path, MACHINE)
+    assert before.numbers[-1] == ring + 3 * SEGMENT_CYCLES + 4
+    assert len(before.segments) == SEGMENTS
+    assert before.numbers[0] == 4 * SEGMENT_CYCLES
+
+    fault = long.machine.cycle
+    long.machine.run(1, spoil=drive_fails)
+    long.machine.run(ring)
+    path.write_bytes(long.read_out())
+    held = read_recording(path, MACHINE)
+    assert held.numbers[-1] == fault + ring // 2 - 1
+    assert np.flatnonzero(held.cycles["orders"]["cause"])[0] == fault - held.numbers[0]
+
+    long.machine.seen.requests = RESET
+    long.machine.run(1)
+    long.machine.seen.requests = 0
+    long.machine.run(100)
+    path.write_bytes(long.read_out())
+    after = read_recording(path, MACHINE)
+    assert np.max(np.diff(after.numbers)) > ring // 4  # what nobody needs was not recorded
+    assert after.numbers[-1] == long.machine.cycle - 1
+    for one in (before, held, after):
+        assert run_again(one, supervisor).matched == len(one.numbers)
+
+
+def test_a_recording_cut_anywhere_is_refused(content: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "cut.dump"
+    for size in (8, 100, HEADER.itemsize, 5000, len(content) // 2, len(content) - 1):
+        path.write_bytes(content[:size])
+        with pytest.raises(FlightError, match=f"cut off after {size} bytes"):
+            read_recording(path, MACHINE)
+
+
+def test_a_damaged_recording_is_refused(content: bytes, tmp_path: Path) -> None:
+    path, random = tmp_path / "damaged.dump", np.random.default_rng(1)
+    for place in random.integers(HEADER.itemsize, len(content) - END.itemsize, 5):
+        damaged = bytearray(content)
+        damaged[place] ^= 1 << int(random.integers(8))
+        path.write_bytes(damaged)
+        with pytest.raises(FlightError, match="checksum"):
+            read_recording(path, MACHINE)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words_of_refusal"),
+    [
+        ("magic", b"PK", "no flight recording"),
+        ("version", 2, "version 2; allowed: 1"),
+        ("byte_order", 0x04030201, "other byte order"),
+        ("real_size", 16, "16 bytes; allowed: 4 or 8"),
+        ("real_size", 4, "has changed since"),
+        ("orders_size", 8, "has changed since"),
+        ("machine", b"brau_five", "of machine brau_five; .* is yoon2023"),
+        ("segments", 3, "do not fill it"),
+        ("segments", 4000, "do not fill it"),
+    ],
+)
+def test_a_header_that_is_not_ours_is_refused(
+    content: bytes, tmp_path: Path, name: str, value: object, words_of_refusal: str
+) -> None:
+    header = np.frombuffer(content, HEADER, 1).copy()
+    header[name] = value
+    path = tmp_path / "other.dump"
+    path.write_bytes(sealed(header.tobytes() + content[HEADER.itemsize :]))
+    with pytest.raises(FlightError, match=words_of_refusal):
+        read_recording(path, MACHINE)
+
+
+def test_replay_says_that_every_cycle_matched(dump: Path, recording: Recording) -> None:
+    result = CliRunner().invoke(app, ["replay", str(dump)])
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert f"all {len(recording.numbers)} cycles ordered the same again" in result.stdout
+
+
+def test_replay_names_the_first_difference(content: bytes, tmp_path: Path) -> None:
+    header = np.frombuffer(content, HEADER, 1)[0]
+    orders = len(content) - END.itemsize - int(header["orders_size"])
+    spoilt = bytearray(content)
+    spoilt[orders + 7] ^= 0x80  # the sign of the first drive's torque
+    path = tmp_path / "spoilt.dump"
+    path.write_bytes(sealed(bytes(spoilt)))
+    result = CliRunner().invoke(app, ["replay", str(path), str(MACHINE)])
+    assert result.exit_code == 1
+    assert "drives.torque[0] was -0.0 when recorded, now it is 0.0" in result.stdout
+
+
+@pytest.mark.parametrize("command", [["replay"], ["log", "--out", "log.csv"]])
+def test_what_cannot_be_read_is_told_in_one_line(tmp_path: Path, command: list[str]) -> None:
+    path = tmp_path / "flight.dump"
+    path.write_text("no recording")
+    for given in (path, tmp_path / "missing.dump"):
+        result = CliRunner().invoke(app, [*command, str(given)])
+        assert (result.exit_code, result.stdout) == (2, "")
+        assert result.stderr.startswith(f"turnbuckle: {given}: ")
+        assert result.stderr.count("\n") == 1
+
+
+def test_replay_refuses_a_machine_file_that_has_changed(dump: Path, tmp_path: Path) -> None:
+    changed = tmp_path / "yoon2023.toml"
+    changed.write_text(MACHINE.read_text().replace('min = "3 N"', 'min = "2.9 N"'))
+    result = CliRunner().invoke(app, ["replay", str(dump), str(changed)])
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert f"{changed} has " in result.stderr
+
+
+def test_the_log_has_units_in_its_columns_and_words_in_its_cells(
+    dump: Path, recording: Recording, tmp_path: Path
+) -> None:
+    tables = [tmp_path / "log.csv", tmp_path / "log.parquet"]
+    picture = tmp_path / "log.png"
+    for path in tables:
+        plot = ["--plot", str(picture)] if path.suffix == ".csv" else []
+        result = CliRunner().invoke(app, ["log", str(dump), "--out", str(path), *plot])
+        assert (result.exit_code, result.stderr) == (0, "")
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    with tables[0].open() as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == len(recording.numbers)
+    last = rows[-1]
+    assert (last["state"], last["cause"], last["culprit"]) == ("fault", "drive fault", "2")
+    running = next(row for row in rows if row["state"] == "run")
+    assert float(running["pose_x_m"]) == pytest.approx(0.39, abs=1e-5)
+    assert float(running["cable_1_tension_N"]) >= 3.0 - 1e-9
+    assert running["base_4_power"] == "enabled"
+    assert running["bus_cable1_state"] == "error active"
+    assert "arm" in {row["requests"] for row in rows}
+    again = parquet.read_table(tables[1])
+    assert again.column_names == list(last)
+    assert again["time_s"].to_pylist()[-1] == pytest.approx(float(last["time_s"]))
+
+
+def test_a_log_of_another_kind_is_refused(dump: Path, tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["log", str(dump), "--out", str(tmp_path / "log.xlsx")])
+    assert result.exit_code == 2
+    assert "allowed: .csv, .parquet" in result.stderr
+
+
+def test_the_words_are_those_of_the_headers() -> None:
+    assert words("tb_state", "core/supervisor.h")[State.SOFT_STOP] == "soft stop"
+    assert words("tb_cause", "core/cause.h")[Cause.CABLE_BREAK] == "cable break"
+
+
+def test_time_goes_on_over_skipped_cycles(recording: Recording) -> None:
+    spoilt = copied(recording)
+    spoilt.segments[0].cycles["seen"]["missed"][10] = 2
+    passed = np.diff(times(spoilt))
+    assert passed[9] == pytest.approx(0.003)
+    assert np.allclose(np.delete(passed, 9), 0.001)
