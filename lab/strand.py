@@ -50,7 +50,7 @@ class Friction:
 
 @dataclass(frozen=True, slots=True)
 class Rail:
-    """Where a base can be: origin + s * direction, first <= s <= last; a fixed one does not move."""
+    """Where a base can be: origin + s * direction, first <= s <= last; a fixed base stays."""
 
     origin: Pair  # m
     direction: Pair  # unit vector, (0, 0) for a fixed base
