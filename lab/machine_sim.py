@@ -51,6 +51,7 @@ class SimulatedMachine:
         self._radians = [axis.sense / axis.radius for axis in self._axes]
         self.buses = [SimulatedBus(bus.name, []) for bus in machine.buses]
         self.drives = [self._mount(axis, machine, plant) for axis in self._axes]
+        self._strangers: list[Drive] = []
         self._at_power_on = self.world.lengths
         self._look()
 
@@ -87,8 +88,15 @@ class SimulatedMachine:
         cables = self._cables
         self.world.advance(torques[:cables], [torque / self._pinion for torque in torques[cables:]])
         self._look()
+        for stranger in self._strangers:
+            stranger.step(period)
         for bus in self.buses:
             bus.next_cycle()
+
+    def add_stranger(self, bus: int, setup: Setup) -> Drive:
+        """Fault: another drive on a bus, which moves nothing; its number may be taken already."""
+        self._strangers.append(self.buses[bus].add(setup))
+        return self._strangers[-1]
 
     def _look(self) -> None:
         """Let every encoder see its motor."""

@@ -50,11 +50,12 @@ class Friction:
 
 @dataclass(frozen=True, slots=True)
 class Rail:
-    """Where a base can be: origin + s * direction, 0 <= s <= length; a fixed base has length 0."""
+    """Where a base can be: origin + s * direction, first <= s <= last; a fixed base stays."""
 
     origin: Pair  # m
     direction: Pair  # unit vector, (0, 0) for a fixed base
-    length: float  # m
+    first: float  # m, where the mechanical stops are
+    last: float  # m
     mobility: float  # 1/kg, of the carriage; 0 for a fixed base
 
 
@@ -131,8 +132,8 @@ class Strand:
         self.s += self.speed * step
         self._turn_motor(step)
         self.carriage_friction.slide(self.speed * step)
-        if not 0.0 <= self.s <= self.rail.length:
-            self.s = min(max(self.s, 0.0), self.rail.length)
+        if not self.rail.first <= self.s <= self.rail.last:
+            self.s = min(max(self.s, self.rail.first), self.rail.last)
             self.speed = 0.0
 
     def release(self) -> None:
@@ -167,8 +168,8 @@ class Strand:
 
     def is_pushed_off(self) -> bool:
         """Whether the carriage stands at an end of its rail and is pushed past it."""
-        return (self.s <= 0.0 and self.acceleration < 0.0) or (
-            self.s >= self.rail.length and self.acceleration > 0.0
+        return (self.s <= self.rail.first and self.acceleration < 0.0) or (
+            self.s >= self.rail.last and self.acceleration > 0.0
         )
 
     def _along_rail(self) -> float:
@@ -197,7 +198,16 @@ def _frictions(machine: Machine, plant: Plant) -> tuple[Friction, Friction]:
 def _rail(machine: Machine, motion: BaseMotion, plant: Plant) -> Rail:
     x, y = motion.start
     if not motion.travel:
-        return Rail((x, y), (0.0, 0.0), length=0.0, mobility=0.0)
+        return Rail((x, y), (0.0, 0.0), first=0.0, last=0.0, mobility=0.0)
     assert plant.carriage_mass is not None  # a machine file with rails states it
     ((number, (ex, ey)),) = motion.travel
-    return Rail((x, y), (ex, ey), machine.rails[number].length, 1.0 / plant.carriage_mass)
+    first, last = _stops(machine, machine.rails[number].length)
+    return Rail((x, y), (ex, ey), first, last, 1.0 / plant.carriage_mass)
+
+
+def _stops(machine: Machine, length: float) -> tuple[float, float]:
+    """Where a carriage meets its stops [m]: at the rail's ends, or beyond that of the homing."""
+    homing = machine.rail_drive.homing if machine.rail_drive else None
+    if homing is None:
+        return 0.0, length
+    return (-homing.beyond, length) if homing.end == "start" else (0.0, length + homing.beyond)

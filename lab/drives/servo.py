@@ -99,7 +99,9 @@ class Servo:
             return self._reset_fault(bool(word & ~last & FAULT_RESET))
         if self.power in (Power.FAULT_REACTION, Power.NOT_READY):
             return False
-        self._go(command(word))
+        works_on = self.power is Power.ENABLED and word == last and self._ramp is None
+        if not works_on:
+            self._go(command(word))
         if self.power is Power.ENABLED:
             self._obey_mode(word, last)
         return False

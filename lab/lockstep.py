@@ -1,0 +1,219 @@
+"""The compiled runtime and a simulated machine, cycle by cycle, in simulated time.
+
+A cycle is that of a control loop: SYNC, the drives' answers, the master's step, its setpoints, and
+then the machine moves on. Nothing depends on a clock: two runs give the same frames. A Lockstep can
+be copied at any cycle by os.fork().
+"""
+
+import ctypes
+from collections.abc import Callable, Sequence
+from enum import IntEnum, IntFlag
+from pathlib import Path
+from struct import Struct
+
+import numpy as np
+
+from codegen.bind import REALS, Generated, pointer
+from codegen.compile import compile_library
+from lab.drives.node import Frame
+from lab.machine_sim import SimulatedMachine
+from lab.strand import Pair
+
+SHIM = Path(__file__).parent / "lockstep_shim.c"
+RUNTIME = Path(__file__).parents[1] / "runtime"
+FOLDERS = tuple(RUNTIME / name for name in ("core", "canopen"))
+CAN = RUNTIME / "can"
+PORTABLE_CAN = (CAN / "can.c", CAN / "loopback.c")
+FRAME = Struct("<BBH8s")
+ROOM = 256
+"""Frames that one step of the master can send at most."""
+
+
+Tap = Callable[[int, Frame], None]
+"""Takes the number of a bus and a frame."""
+
+
+class State(IntEnum):
+    """tb_state."""
+
+    INIT = 0
+    IDENTIFY = 1
+    CONFIGURE = 2
+    HOME = 3
+    TENSION = 4
+    RUN = 5
+    SOFT_STOP = 6
+    HARD_STOP = 7
+    FAULT = 8
+
+
+class Request(IntFlag):
+    """TB_REQUEST_..."""
+
+    ARM = 1
+    STOP = 2
+    RESET = 4
+
+
+class BusState(IntEnum):
+    """tb_can_state."""
+
+    ERROR_ACTIVE = 0
+    ERROR_WARNING = 1
+    ERROR_PASSIVE = 2
+    OFF = 3
+    NOT_OPEN = 4
+
+
+class Lockstep:
+    """The master of a machine, and the machine.
+
+    cycle() runs one cycle; `view` is what is to be seen of the last one: state, phase, cause,
+    culprit, index, subindex, failure, detail, beat, status, pose, residual, wanted_force,
+    delivered_force, tension, zeros, position, power. SI units, numbers as in the C headers.
+    """
+
+    def __init__(self, generated: Generated, machine: SimulatedMachine) -> None:
+        """Compile and load the runtime around a machine's generated C."""
+        self.machine = machine
+        self.cycles = 0
+        self.requests = Request(0)
+        """What is asked of the supervisor; stands until it is changed."""
+        self.force: Pair | None = None
+        """Force [N] that the application wants; without one the task's."""
+        self.hand_force: Pair | None = None
+        """What the force sensor says [N]; without one the truth."""
+        self.hand_force_fresh = True
+        self.taps: list[Tap] = []
+        """Told of every frame the master sends, before anything can happen to it."""
+        self.missed = 0
+        """Cycles that are told to have been skipped; counts once."""
+        self._library = load(generated)
+        wishes, view = layouts(generated)
+        self._check_sizes(wishes, view)
+        self._memory = ctypes.create_string_buffer(self._library.shim_machine_size())
+        self._wishes = np.zeros(1, wishes)
+        self._view = np.zeros(1, view)
+        self._sent = ctypes.create_string_buffer(ROOM * FRAME.size)
+        self._library.shim_start(self._memory)
+
+    @property
+    def view(self) -> np.void:
+        """The last cycle."""
+        self._library.shim_look(self._memory, pointer(self._view))
+        seen: np.void = self._view[0]
+        return seen
+
+    @property
+    def state(self) -> State:
+        """State of the supervisor."""
+        return State(int(self.view["state"]))
+
+    def cycle(self) -> None:
+        """Run one cycle."""
+        self._deliver(self._library.shim_sync(self._memory, self._sent, ROOM))
+        self._wish()
+        count = self._library.shim_run(self._memory, pointer(self._wishes), self._sent, ROOM)
+        self._deliver(count)
+        self.machine.advance()
+        self._return_answers()
+        self.cycles += 1
+
+    def run(self, cycles: int) -> None:
+        """Run so many cycles."""
+        for _ in range(cycles):
+            self.cycle()
+
+    def run_until(self, states: Sequence[State], most: int) -> State:
+        """Run until one of the states is reached, `most` cycles at most; the state at the end."""
+        for _ in range(most):
+            self.cycle()
+            if self.state in states:
+                break
+        return self.state
+
+    def set_bus(self, bus: int, state: BusState, full: bool = False) -> None:
+        """Fault: bring a bus into a state; full: it takes no frames (ENOBUFS)."""
+        self._library.shim_set_bus(self._memory, bus, int(state), int(full))
+
+    def _wish(self) -> None:
+        wishes, machine = self._wishes[0], self.machine
+        wishes["force"] = machine.task_force if self.force is None else self.force
+        known = self.hand_force is None
+        wishes["hand_force"] = machine.world.hand_force if known else self.hand_force
+        wishes["hand_force_fresh"] = self.hand_force_fresh
+        wishes["requests"] = int(self.requests)
+        wishes["missed"], self.missed = self.missed, 0
+
+    def _deliver(self, count: int) -> None:
+        """Put on the buses what the master sent, and hand back what is answered."""
+        buses = self.machine.buses
+        sent = memoryview(self._sent)[: count * FRAME.size]
+        for bus, length, identifier, data in FRAME.iter_unpack(sent):
+            frame = Frame(identifier, data[:length])
+            for tap in self.taps:
+                tap(bus, frame)
+            buses[bus].send(frame)
+        self._return_answers()
+
+    def _return_answers(self) -> None:
+        packed = [
+            FRAME.pack(number, len(data), cob, data)
+            for number, bus in enumerate(self.machine.buses)
+            for cob, data in bus.take()
+        ]
+        if packed:
+            self._library.shim_give(self._memory, b"".join(packed), len(packed))
+
+    def _check_sizes(self, wishes: np.dtype[np.void], view: np.dtype[np.void]) -> None:
+        for name, layout in (("wishes", wishes), ("view", view)):
+            size = getattr(self._library, f"shim_{name}_size")()
+            if size != layout.itemsize:
+                raise RuntimeError(f"shim_{name} has {size} bytes in C, {layout.itemsize} here")
+
+
+def load(generated: Generated) -> ctypes.CDLL:
+    """The runtime of a machine with its buses in memory."""
+    sources = [path for folder in FOLDERS for path in sorted(folder.glob("*.c"))]
+    sources += [*sorted(generated.folder.glob("*.c")), *PORTABLE_CAN, SHIM]
+    include = [generated.folder, *FOLDERS, CAN]
+    library = ctypes.CDLL(str(compile_library(sources, include, generated.precision)))
+    for name in ("machine_size", "wishes_size", "view_size", "sync", "run", "give"):
+        getattr(library, f"shim_{name}").restype = ctypes.c_size_t
+    for name, arguments in ARGUMENTS.items():
+        getattr(library, name).argtypes = arguments
+    return library
+
+
+_POINTER, _SIZE, _WORD = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_uint32
+ARGUMENTS = {
+    "shim_sync": [_POINTER, _POINTER, _SIZE],
+    "shim_run": [_POINTER, _POINTER, _POINTER, _SIZE],
+    "shim_give": [_POINTER, ctypes.c_char_p, _SIZE],
+    "shim_look": [_POINTER, _POINTER],
+    "shim_set_bus": [_POINTER, _SIZE, _WORD, _WORD],
+}
+
+
+def layouts(generated: Generated) -> tuple[np.dtype[np.void], np.dtype[np.void]]:
+    """shim_wishes and shim_view of lockstep_shim.c."""
+    machine, reals = generated.machine, REALS[generated.precision]
+    d, n = (machine.dof,), (len(machine.cables),)
+    drives = (len(machine.drives),)
+    word = np.uint32
+    words = ("hand_force_fresh", "requests", "missed")
+    wishes = [("force", reals, d), ("hand_force", reals, d), *((each, word, ()) for each in words)]
+    names = ["state", "phase", "cause", "culprit", "index", "subindex", "failure", "detail", "beat"]
+    view = [
+        *((name, word, ()) for name in names),
+        ("status", np.int32, ()),
+        ("pose", reals, d),
+        ("residual", reals, ()),
+        ("wanted_force", reals, d),
+        ("delivered_force", reals, d),
+        ("tension", reals, n),
+        ("zeros", reals, n),
+        ("position", reals, drives),
+        ("power", word, drives),
+    ]
+    return np.dtype(wishes, align=True), np.dtype(view, align=True)

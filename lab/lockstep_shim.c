@@ -1,0 +1,182 @@
+/* What lab/lockstep.py needs around the runtime to drive it from Python: a machine's master with its
+ * buses in memory, frames packed into arrays. Runs on a host only; nothing of it goes to a machine. */
+#include <stddef.h>
+#include <stdint.h>
+
+#include "loopback.h"
+#include "network.h"
+#include "supervisor_memory.h"
+
+/** A frame on one of the buses. */
+typedef struct {
+    uint8_t bus;
+    uint8_t length;
+    uint16_t id;
+    uint8_t data[8];
+} shim_frame;
+
+/** What a cycle is told beside the frames. */
+typedef struct {
+    real_t force[TB_DOF];
+    real_t hand_force[TB_DOF];
+    uint32_t hand_force_fresh;
+    uint32_t requests;
+    uint32_t missed;
+} shim_wishes;
+
+/** What there is to see of a cycle. */
+typedef struct {
+    uint32_t state;
+    uint32_t phase;
+    uint32_t cause;
+    uint32_t culprit;
+    uint32_t index;
+    uint32_t subindex;
+    uint32_t failure;
+    uint32_t detail;
+    uint32_t beat;
+    int32_t status;
+    real_t pose[TB_DOF];
+    real_t residual;
+    real_t wanted_force[TB_DOF];
+    real_t delivered_force[TB_DOF];
+    real_t tension[TB_CABLES];
+    real_t zeros[TB_CABLES];
+    real_t position[TB_DRIVES];
+    uint32_t power[TB_DRIVES];
+} shim_view;
+
+typedef struct {
+    tb_loopback buses[TB_BUSES];
+    tb_network network;
+    tb_supervisor supervisor;
+    tb_observation seen;
+    tb_orders orders;
+} shim_machine;
+
+size_t shim_machine_size(void);
+size_t shim_wishes_size(void);
+size_t shim_view_size(void);
+void shim_start(shim_machine *machine);
+size_t shim_sync(shim_machine *machine, shim_frame sent[], size_t room);
+size_t shim_run(shim_machine *machine, const shim_wishes *wishes, shim_frame sent[], size_t room);
+size_t shim_give(shim_machine *machine, const shim_frame arrived[], size_t count);
+void shim_look(const shim_machine *machine, shim_view *view);
+void shim_set_bus(shim_machine *machine, size_t bus, uint32_t state, uint32_t full);
+
+size_t shim_machine_size(void)
+{
+    return sizeof(shim_machine);
+}
+
+size_t shim_wishes_size(void)
+{
+    return sizeof(shim_wishes);
+}
+
+size_t shim_view_size(void)
+{
+    return sizeof(shim_view);
+}
+
+void shim_start(shim_machine *machine)
+{
+    tb_can_port *ports[TB_BUSES];
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        tb_loopback_open(&machine->buses[i]);
+        ports[i] = &machine->buses[i].port;
+    }
+    tb_network_start(&machine->network, ports);
+    tb_supervisor_start(&machine->supervisor);
+}
+
+/* What the master has sent on all buses since the last time. */
+static size_t take_sent(shim_machine *machine, shim_frame sent[], size_t room)
+{
+    size_t count = 0;
+    tb_can_frame frame;
+    for (size_t bus = 0; bus < TB_BUSES; bus++) {
+        while ((count < room) && (tb_loopback_take(&machine->buses[bus], &frame) == TB_CAN_OK)) {
+            shim_frame *const to = &sent[count];
+            to->bus = (uint8_t)bus;
+            to->length = frame.length;
+            to->id = (uint16_t)frame.id;
+            for (size_t i = 0; i < sizeof to->data; i++) {
+                to->data[i] = frame.data[i];
+            }
+            count++;
+        }
+    }
+    return count;
+}
+
+size_t shim_sync(shim_machine *machine, shim_frame sent[], size_t room)
+{
+    tb_network_sync(&machine->network);
+    return take_sent(machine, sent, room);
+}
+
+size_t shim_run(shim_machine *machine, const shim_wishes *wishes, shim_frame sent[], size_t room)
+{
+    for (size_t i = 0; i < TB_DOF; i++) {
+        machine->seen.force[i] = wishes->force[i];
+        machine->seen.hand_force[i] = wishes->hand_force[i];
+    }
+    machine->seen.hand_force_fresh = wishes->hand_force_fresh;
+    machine->seen.requests = wishes->requests;
+    machine->seen.missed = wishes->missed;
+    tb_network_collect(&machine->network, &machine->seen);
+    tb_supervisor_step(&machine->supervisor, &machine->seen, &machine->orders);
+    tb_network_dispatch(&machine->network, &machine->orders);
+    return take_sent(machine, sent, room);
+}
+
+/* The number of frames for which there was room. */
+size_t shim_give(shim_machine *machine, const shim_frame arrived[], size_t count)
+{
+    size_t taken = 0;
+    for (size_t i = 0; i < count; i++) {
+        const shim_frame *const from = &arrived[i];
+        tb_can_frame frame = {.id = from->id, .length = from->length};
+        for (size_t k = 0; k < sizeof from->data; k++) {
+            frame.data[k] = from->data[k];
+        }
+        taken += (tb_loopback_give(&machine->buses[from->bus], &frame) == TB_CAN_OK) ? 1u : 0u;
+    }
+    return taken;
+}
+
+void shim_look(const shim_machine *machine, shim_view *view)
+{
+    const tb_orders *const orders = &machine->orders;
+    view->state = orders->state;
+    view->phase = orders->phase;
+    view->cause = orders->cause;
+    view->culprit = orders->culprit;
+    view->index = orders->index;
+    view->subindex = orders->subindex;
+    view->failure = orders->failure;
+    view->detail = orders->detail;
+    view->beat = orders->beat;
+    view->status = orders->controller.status;
+    view->residual = orders->controller.residual;
+    for (size_t i = 0; i < TB_DOF; i++) {
+        view->pose[i] = orders->controller.pose[i];
+        view->wanted_force[i] = orders->controller.wanted_force[i];
+        view->delivered_force[i] = orders->controller.delivered_force[i];
+    }
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        view->tension[i] = orders->controller.tension[i];
+        view->zeros[i] = machine->supervisor.calibration.zeros[i];
+    }
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        view->position[i] = machine->seen.drives[i].position;
+        view->power[i] = machine->seen.drives[i].power;
+    }
+}
+
+void shim_set_bus(shim_machine *machine, size_t bus, uint32_t state, uint32_t full)
+{
+    tb_loopback_set_state(&machine->buses[bus], (tb_can_state)state);
+    tb_loopback_set_full(&machine->buses[bus], full != 0u);
+}
