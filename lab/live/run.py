@@ -148,11 +148,11 @@ class Teller:
 
     def _tell(self, telemetry: Telemetry, number: int, state: str, doing: str) -> None:
         """A line where the state is new, or what is done in it."""
-        if state == self._state and doing in ("", self._doing):
-            return
-        seconds = float(telemetry.counts["period"]) * number
-        self._say(f"{seconds:9.3f} s  {state:10} {doing}".rstrip())
-        self._state, self._doing = state, doing
+        new_state, new_doing = state != self._state, doing not in ("", self._doing)
+        if new_state or new_doing:
+            seconds = float(telemetry.counts["period"]) * number
+            self._say(f"{seconds:9.3f} s  {state if new_state else '':10} {doing}".rstrip())
+            self._state, self._doing = state, doing
 
 
 def telemetry_of(pid: int, path: Path) -> Telemetry | None:

@@ -21,26 +21,27 @@ static const char *name_of(const tb_orders *orders, const char *kind)
     return (orders->culprit < TB_DRIVES) ? tb_drives[orders->culprit].name : "?";
 }
 
+/* The object of the dictionary that a task failed at, and how. */
+static void tell_object(const tb_orders *orders, size_t room, char text[])
+{
+    if (orders->failure == TB_FAILURE_ABORT) {
+        snprintf(text, room, ": object %04X:%02X, aborted with %08" PRIX32, orders->index,
+                 orders->subindex, orders->detail);
+    } else if (orders->failure == TB_FAILURE_DIFFERENT) {
+        snprintf(text, room, ": object %04X:%02X, found 0x%" PRIX32, orders->index,
+                 orders->subindex, orders->detail);
+    } else {
+        snprintf(text, room, ": object %04X:%02X, no answer", orders->index, orders->subindex);
+    }
+}
+
 /* What is known beyond the cause; empty for nothing. */
 static void tell_detail(const tb_orders *orders, size_t room, char text[])
 {
     text[0] = '\0';
-    switch (orders->failure) {
-    case TB_FAILURE_SILENT:
-        snprintf(text, room, ": object %04X:%02X, no answer", orders->index, orders->subindex);
-        return;
-    case TB_FAILURE_ABORT:
-        snprintf(text, room, ": object %04X:%02X, aborted with %08" PRIX32, orders->index,
-                 orders->subindex, orders->detail);
-        return;
-    case TB_FAILURE_DIFFERENT:
-        snprintf(text, room, ": object %04X:%02X, found 0x%" PRIX32, orders->index,
-                 orders->subindex, orders->detail);
-        return;
-    default:
-        break;
-    }
-    if (orders->cause == TB_CAUSE_DRIVE_FAULT) {
+    if (orders->index != 0) {
+        tell_object(orders, room, text);
+    } else if (orders->cause == TB_CAUSE_DRIVE_FAULT) {
         snprintf(text, room, ": error %04" PRIX32, orders->detail);
     } else if (orders->cause == TB_CAUSE_STRANGER) {
         snprintf(text, room, ": node %" PRIu32, orders->detail);
