@@ -47,7 +47,8 @@ def test_no_simulated_frame_is_later_than_its_bound(among: list[Message], seed: 
 
 @pytest.mark.parametrize(("drives", "sync"), [(2, 1e-3), (4, 2e-3)])
 def test_no_frame_of_a_real_bus_is_later_than_its_bound(drives: int, sync: float) -> None:
-    on_bus = [Drive(name=f"d{node}", bus="b", node=node) for node in range(1, drives + 1)]
+    rows = [{"name": f"d{node}", "bus": "b", "node": node} for node in range(1, drives + 1)]
+    on_bus = [Drive.model_validate(row) for row in rows]
     among = messages(on_bus, Pace(1e6, sync, 1e-3, 0.01, 0.02, 0.5, 40e-6, emergency=0.005))
     for seed in range(3):
         simulated = longest_responses(among, 300_000, Random(seed))

@@ -1,4 +1,4 @@
-"""The phases of a cycle on the stock machine's buses, and what is said of a bus that cannot work."""
+"""The phases of a cycle on the stock machine's buses; what is said of a bus that cannot work."""
 
 import re
 import tomllib

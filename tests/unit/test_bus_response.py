@@ -8,7 +8,8 @@ from model.bus.tables import Drive
 
 
 def drives(count: int) -> list[Drive]:
-    return [Drive(name=f"d{node}", bus="b", node=node) for node in range(1, count + 1)]
+    rows = [{"name": f"d{node}", "bus": "b", "node": node} for node in range(1, count + 1)]
+    return [Drive.model_validate(row) for row in rows]
 
 
 def pace(sync: float) -> Pace:

@@ -67,8 +67,16 @@ def test_an_answer_decodes_to_metres_and_newton_metres(
 @given(permille=INT16)
 def test_a_command_encodes_to_the_per_mille_of_the_wire(permille: int) -> None:
     torque = permille * AXES["cable_2"].torque_per_permille
-    words = {"command": "enable_operation", "mode_bits": 0, "fault_reset": 0, "halt": 0}
-    frame = message("cable_2_command").encode({**words, "torque": torque}, strict=False)
+    frame = message("cable_2_command").encode(
+        {
+            "command": "enable_operation",
+            "mode_bits": 0,
+            "fault_reset": 0,
+            "halt": 0,
+            "torque": torque,
+        },
+        strict=False,
+    )
     assert frame == b"\x0f\x00" + permille.to_bytes(2, "little", signed=True)
 
 

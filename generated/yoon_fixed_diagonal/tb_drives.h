@@ -1,0 +1,86 @@
+/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
+ * Machine acb853f37dff9e31, generator 0.1.0, casadi 3.8.2. Do not edit. */
+#ifndef TB_DRIVES_H
+#define TB_DRIVES_H
+
+#include <stdint.h>
+
+#include "tb_types.h"
+
+#define TB_BUSES 2
+#define TB_DRIVES 4 /* cable drives in the order of the cables, then base drives in that of the rails */
+
+/* Times */
+#define TB_COMPUTE_PHASE 500 /* us from SYNC until every answer is there: turnbuckle bus */
+#define TB_HEARTBEAT_CYCLES 10 /* cycles between heartbeats of the master */
+#define TB_HEARTBEAT_TIMEOUT 100 /* cycles without a heartbeat of a drive until it counts as silent */
+#define TB_ANSWER_TIMEOUT 500 /* cycles until an SDO request has failed */
+#define TB_STATE_TIMEOUT 2000 /* cycles that a drive may take to an ordered power state or mode */
+#define TB_HOMING_TIMEOUT 20000 /* cycles of one homing run */
+#define TB_STOP_CYCLES 300 /* cycles of a soft stop, from work to no torque */
+
+/* Supervision */
+#define TB_MISSED_LIMIT 2 /* SYNCs in a row without an answer that are bridged */
+#define TB_SKIPPED_LIMIT 2 /* control cycles skipped at once that are bridged */
+#define TB_FAILED_LIMIT 20 /* controller steps failed in a row that are bridged */
+#define TB_CLOSURE_LIMIT TB_C(0.002) /* m, largest residual of the measured lengths */
+#define TB_CLOSURE_CYCLES 5 /* cycles beyond it that are bridged */
+#define TB_CABLE_SPEED_LIMIT TB_C(5.0) /* m/s */
+#define TB_RAIL_SPEED_LIMIT TB_C(3.0) /* m/s */
+#define TB_RAIL_LAG_LIMIT TB_C(0.05) /* m, between a base and its target */
+#define TB_RAIL_LAG_CYCLES 200 /* cycles beyond it that are bridged */
+
+/* Base drives */
+#define TB_RAIL_LENGTHS {TB_C(0.0)} /* m (TB_RAIL_SLOTS) */
+#define TB_RAIL_TORQUE_LIMIT TB_C(0.0) /* N m */
+#define TB_RAIL_TORQUE_STEP TB_C(0.0) /* N m, largest change of a torque in one cycle */
+
+/* Calibration of the cables' zeros */
+#define TB_CALIBRATION_SAMPLES 24 /* poses that are measured */
+#define TB_CALIBRATION_CYCLES 100 /* cycles between two of them */
+#define TB_CALIBRATION_TRAVEL TB_C(0.1) /* m, sweep of each base to either side of the middle of its rail */
+
+/** What is done with an entry of a drive's object dictionary. */
+typedef enum {
+    TB_OBJECT_CHECK = 0, /* read it; it must hold the value */
+    TB_OBJECT_WRITE = 1  /* write the value, read it back */
+} tb_object_action;
+
+/** An entry of a drive's object dictionary. */
+typedef struct {
+    uint16_t index;
+    uint8_t subindex;
+    uint8_t size;   /* bytes */
+    uint8_t action; /* tb_object_action */
+    uint32_t value; /* a negative one in two's complement of `size` bytes */
+} tb_object;
+
+/** A bus of the machine file. */
+typedef struct {
+    const char *name;
+    uint32_t bit_rate; /* bit/s */
+    uint8_t divider;   /* control cycles from one SYNC to the next */
+} tb_bus_table;
+
+/** A drive of the machine file; increments are counts of its encoder, per mille those of its motor's
+ *  rated torque. */
+typedef struct {
+    const char *name;
+    uint8_t bus;  /* its number in tb_buses */
+    uint8_t node; /* its number on the bus */
+    uint8_t mode; /* at work it follows 0 torque (CST), 1 position (CSP) */
+    real_t metres_per_increment; /* < 0 where the encoder counts against the position */
+    real_t increments_per_metre;
+    real_t torque_per_permille; /* N m; < 0 where the motor turns against the position */
+    real_t permille_per_torque; /* 1/(N m) */
+    int16_t permille_limit;     /* most the drive is asked for, either way */
+    uint16_t identity_count;
+    uint16_t contract_count;
+    const tb_object *identity; /* IDENTIFY reads these */
+    const tb_object *contract; /* CONFIGURE writes these and reads them back, in this order */
+} tb_drive_table;
+
+extern const tb_bus_table tb_buses[TB_BUSES];
+extern const tb_drive_table tb_drives[TB_DRIVES];
+
+#endif
