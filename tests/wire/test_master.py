@@ -1,4 +1,4 @@
-"""The master, supervisor and all, with python canopen's drives: up to where it waits to be armed."""
+"""The master, supervisor and all, with python canopen's drives: up to its wait for the arming."""
 
 from ctypes import byref
 from typing import Any
