@@ -80,7 +80,9 @@ def test_every_statusword_means_what_python_canopen_says() -> None:
 
 
 def test_patterns_that_cia_402_does_not_know_are_unknown_not_a_guess() -> None:
-    assert {power_of(word) for word in (0x0001, 0x0020 | 0x05, 0x000B, 0x006F, 0xFFFF)} == {"UNKNOWN"}
+    assert {power_of(word) for word in (0x0001, 0x0020 | 0x05, 0x000B, 0x006F, 0xFFFF)} == {
+        "UNKNOWN"
+    }
 
 
 @pytest.mark.parametrize(("power", "goal"), list(product(POWERS[1:], GOALS)))

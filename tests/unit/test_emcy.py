@@ -65,8 +65,6 @@ def standing(*codes: int) -> tuple[int, int]:
     return emergency.code, getattr(emergency, "class")
 
 
-
-
 @pytest.mark.parametrize("code", CLASSES, ids=hex)
 def test_every_known_code_has_its_class(code: int) -> None:
     assert C.tb_emcy_class(code) == class_of(CLASSES[code])

@@ -145,9 +145,7 @@ def python_offsets(structs: dict[str, np.dtype[Any]]) -> dict[str, int]:
     return offsets
 
 
-def c_offsets(
-    structs: dict[str, np.dtype[Any]], folder: Path, scratch: Path
-) -> dict[str, int]:
+def c_offsets(structs: dict[str, np.dtype[Any]], folder: Path, scratch: Path) -> dict[str, int]:
     """The same, as the C compiler sees it."""
     lines = []
     for struct, dtype in structs.items():
@@ -157,7 +155,7 @@ def c_offsets(
             lines.append(f'printf("{struct}.{name} %zu\\n", offsetof({struct}, {field}));')
     source = scratch / "offsets.c"
     source.write_text(
-        "#include <stddef.h>\n#include <stdio.h>\n#include \"telemetry.h\"\n"
+        '#include <stddef.h>\n#include <stdio.h>\n#include "telemetry.h"\n'
         "int main(void)\n{\n" + "\n".join(lines) + "\nreturn 0;\n}\n"
     )
     program = compile_program([source], [folder, *FOLDERS])
