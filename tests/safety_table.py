@@ -6,7 +6,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 DOCUMENT = Path(__file__).parents[1] / "docs" / "safety.md"
-STATES = ["INIT", "IDENTIFY", "CONFIGURE", "HOME", "TENSION", "RUN", "SOFT_STOP", "HARD_STOP", "FAULT"]
+STATES = [
+    "INIT",
+    "IDENTIFY",
+    "CONFIGURE",
+    "HOME",
+    "TENSION",
+    "RUN",
+    "SOFT_STOP",
+    "HARD_STOP",
+    "FAULT",
+]
 
 
 @dataclass(frozen=True)
@@ -28,7 +38,7 @@ class Row:
 
 
 def between(text: str) -> tuple[str, ...]:
-    """"HOME..RUN" as the states from one to the other."""
+    """ "HOME..RUN" as the states from one to the other."""
     first, _, last = text.partition("..")
     return tuple(STATES[STATES.index(first) : STATES.index(last or first) + 1])
 

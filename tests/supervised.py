@@ -345,7 +345,14 @@ class Machine:
         report.error_code, report.error_class = drive.error_code, 2 if drive.error_code else 0
         report.homing = drive.homing
         order = self.orders.drives[index]
-        drive.applied = (order.torque, order.position, order.goal, order.mode, order.task, order.home)
+        drive.applied = (
+            order.torque,
+            order.position,
+            order.goal,
+            order.mode,
+            order.task,
+            order.home,
+        )
         drive.obey()
 
     def position(self, index: int) -> float:
@@ -425,9 +432,14 @@ SETTLED = 50
 """Cycles from power-on until every drive is ready to arm, and some more."""
 
 
-def moments(library: ctypes.CDLL) -> tuple[Machine, Moments]:
+#: Base drives that follow torques, or positions.
+LIBRARIES = {"torque": stock_library, "position": position_library}
+
+
+@cache
+def moments(drives: str) -> tuple[Machine, Moments]:
     """A machine, and what it was in an early cycle of every state and phase, in their order."""
-    machine = Machine(library)
+    machine = Machine(LIBRARIES[drives]())
     machine.seen.hand_force_fresh = 1
     saved: Moments = {}
 

@@ -159,9 +159,10 @@ static tb_blame examine_buses(tb_supervisor *supervisor, const tb_observation *s
     return worst;
 }
 
+/* Nobody looks for faults after SOFT_STOP. */
 static bool may_have_torque(const tb_supervisor *supervisor)
 {
-    return (supervisor->state >= TB_STATE_HOME) && (supervisor->state <= TB_STATE_SOFT_STOP);
+    return supervisor->state >= TB_STATE_HOME;
 }
 
 static tb_blame find_soft_fault(tb_supervisor *supervisor, const tb_observation *seen)

@@ -13,7 +13,7 @@ bool tb_is_hard(tb_cause cause);
 /** Whether a drive is in its fault state, or says that it goes there. */
 bool tb_is_in_fault(const tb_drive_report *report);
 
-/** The worst that is wrong in this cycle. */
+/** The worst that is wrong in this cycle of a state before HARD_STOP. */
 tb_blame tb_find_fault(tb_supervisor *supervisor, const tb_observation *seen);
 
 #endif

@@ -9,8 +9,6 @@ void tb_guide_start(tb_guide *guide)
     *guide = nothing;
 }
 
-#if TB_RAILS > 0
-
 /* Rows of the memory of tb_base_pid: integral, previous rail coordinate, speed. */
 static void rest_at(tb_guide *guide, size_t rail, real_t position)
 {
@@ -37,13 +35,13 @@ static void count_lag(tb_guide *guide, size_t rail, real_t position)
 {
     bool const lags = TB_ABS(position - guide->reference[rail]) > TB_RAIL_LAG_LIMIT;
     uint16_t const count = guide->lagging[rail];
-    guide->lagging[rail] = lags ? (uint16_t)(count + (count < UINT16_MAX)) : 0;
+    guide->lagging[rail] = lags ? (uint16_t)(count + 1) : 0;
 }
 
 static void move_references(tb_guide *guide, const real_t rails[], const real_t targets[],
                             real_t speed)
 {
-    for (size_t i = 0; i < TB_RAILS; i++) {
+    for (size_t i = 0; i < TB_RAIL_SLOTS; i++) {
         if (guide->guided[i] != 0) {
             move_reference(&guide->reference[i], targets[i], speed * TB_PERIOD);
             count_lag(guide, i, rails[i]);
@@ -53,21 +51,39 @@ static void move_references(tb_guide *guide, const real_t rails[], const real_t 
     }
 }
 
-void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
-                   const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS])
+#if TB_RAILS > 0
+
+static void follow_references(tb_guide *guide, const real_t rails[], real_t torque[])
 {
-    move_references(guide, rails, targets, speed);
     (void)tb_base_pid(guide->base, guide->reference, rails, guide->base, torque);
     for (size_t i = 0; i < TB_RAILS; i++) {
         torque[i] = (guide->guided[i] != 0) ? (TB_PINION_RADIUS * torque[i]) : TB_C(0.0);
     }
 }
 
+#else
+
+static void follow_references(tb_guide *guide, const real_t rails[], real_t torque[])
+{
+    (void)guide;
+    (void)rails;
+    torque[0] = 0; /* the slot of an array that nobody fills or reads */
+}
+
+#endif
+
+void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
+                   const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS])
+{
+    move_references(guide, rails, targets, speed);
+    follow_references(guide, rails, torque);
+}
+
 bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
                           const real_t targets[TB_RAIL_SLOTS], real_t distance)
 {
     bool arrived = true;
-    for (size_t i = 0; i < TB_RAILS; i++) {
+    for (size_t i = 0; i < TB_RAIL_SLOTS; i++) {
         real_t const to_go = TB_ABS(guide->reference[i] - targets[i]);
         bool const near = TB_ABS(rails[i] - targets[i]) <= distance;
         arrived = arrived && near && (to_go <= TB_C(0.1) * distance);
@@ -77,7 +93,7 @@ bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOT
 
 bool tb_guide_has_lost(const tb_guide *guide, size_t *rail)
 {
-    for (size_t i = 0; i < TB_RAILS; i++) {
+    for (size_t i = 0; i < TB_RAIL_SLOTS; i++) {
         if (guide->lagging[i] > TB_RAIL_LAG_CYCLES) {
             *rail = i;
             return true;
@@ -85,41 +101,3 @@ bool tb_guide_has_lost(const tb_guide *guide, size_t *rail)
     }
     return false;
 }
-
-#else
-
-void tb_guide_take(tb_guide *guide, size_t rail, real_t position)
-{
-    (void)guide;
-    (void)rail;
-    (void)position;
-}
-
-void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
-                   const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS])
-{
-    (void)guide;
-    (void)rails;
-    (void)targets;
-    (void)speed;
-    torque[0] = 0; /* the slot of an array that nobody fills or reads */
-}
-
-bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
-                          const real_t targets[TB_RAIL_SLOTS], real_t distance)
-{
-    (void)guide;
-    (void)rails;
-    (void)targets;
-    (void)distance;
-    return true;
-}
-
-bool tb_guide_has_lost(const tb_guide *guide, size_t *rail)
-{
-    (void)guide;
-    (void)rail;
-    return false;
-}
-
-#endif

@@ -49,7 +49,8 @@ static bool is_at_work(tb_state state)
     return (state == TB_STATE_HOME) || (state == TB_STATE_TENSION) || (state == TB_STATE_RUN);
 }
 
-/* To the stop that a cause asks for; true when that changed the state. */
+/* To the stop that a cause asks for; true when that changed the state. HARD_STOP and FAULT find no
+ * hard causes. */
 static bool react(tb_supervisor *supervisor, tb_blame blame)
 {
     tb_state const state = (tb_state)supervisor->state;
@@ -59,7 +60,7 @@ static bool react(tb_supervisor *supervisor, tb_blame blame)
     latch(&supervisor->first, blame);
     if (is_without_torque(state)) {
         tb_begin_fault(supervisor);
-    } else if (tb_is_hard((tb_cause)blame.cause) && (state <= TB_STATE_SOFT_STOP)) {
+    } else if (tb_is_hard((tb_cause)blame.cause)) {
         tb_begin_hard_stop(supervisor);
     } else if (is_at_work(state)) {
         tb_begin_soft_stop(supervisor);

@@ -159,7 +159,7 @@ static tb_blame solve(tb_supervisor *supervisor)
     tb_calibration_progress const progress = tb_calibration_solve(&supervisor->calibration);
     if (progress == TB_CALIBRATION_DONE) {
         tb_begin_tension(supervisor);
-    } else if ((progress != TB_CALIBRATION_BUSY) || (supervisor->cycles > TB_STATE_TIMEOUT)) {
+    } else if (progress != TB_CALIBRATION_BUSY) { /* its steps are counted: no time-out */
         return blame_calibration(progress);
     }
     return blame;

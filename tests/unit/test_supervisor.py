@@ -3,6 +3,7 @@
 import ctypes
 import itertools
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import pytest
@@ -22,6 +23,7 @@ from supervised import (
     Homing,
     Machine,
     Mode,
+    Moments,
     Observation,
     Phase,
     Power,
@@ -33,26 +35,34 @@ NUMBERS = constants(supervised.STOCK)
 STATE_TIMEOUT = int(NUMBERS["TB_STATE_TIMEOUT"])
 STOP_CYCLES = int(NUMBERS["TB_STOP_CYCLES"])
 TIGHT = DRUM * NUMBERS["TB_TENSION_MIN"]
-LIBRARIES = {"torque": supervised.stock_library, "position": supervised.position_library}
 BASES = range(CABLES, DRIVES)
 
 
-@pytest.fixture(scope="module", params=LIBRARIES)
-def moments(request: pytest.FixtureRequest) -> tuple[Machine, dict[str, tuple[object, ...]]]:
-    """A machine, and what it was in the fifth cycle of every state and phase of a bring-up."""
-    return supervised.moments(LIBRARIES[request.param]())
+At = Callable[[str], Machine]
+
+
+@pytest.fixture(params=supervised.LIBRARIES)
+def moments(request: pytest.FixtureRequest) -> tuple[Machine, Moments]:
+    """A machine, and what it was in every state and phase of a bring-up."""
+    return supervised.moments(request.param)
+
+
+def restored(machine: Machine, saved: Moments, moment: str) -> Machine:
+    """The machine as it was in a state and phase."""
+    machine.restore(saved[moment])
+    return machine
 
 
 @pytest.fixture
-def at(moments: tuple[Machine, dict[str, tuple[object, ...]]]) -> Callable[[str], Machine]:
+def at(moments: tuple[Machine, Moments]) -> At:
     """Puts the machine in a state and phase."""
-    machine, saved = moments
+    return partial(restored, *moments)
 
-    def restore(moment: str) -> Machine:
-        machine.restore(saved[moment])
-        return machine
 
-    return restore
+@pytest.fixture
+def stock_at() -> At:
+    """The same, where it does not matter what the base drives follow."""
+    return partial(restored, *supervised.moments("torque"))
 
 
 def torques(machine: Machine) -> np.ndarray:
@@ -71,7 +81,7 @@ def told(machine: Machine) -> tuple[str, str]:
 
 
 def test_a_bring_up_passes_every_state_and_phase_in_order(
-    moments: tuple[Machine, dict[str, tuple[object, ...]]],
+    moments: tuple[Machine, Moments],
 ) -> None:
     passed = [moment for moment in moments[1] if not moment.startswith(("FAULT", "HARD_STOP"))]
     once = ["INIT NONE", "IDENTIFY NONE", "CONFIGURE CONTRACT", "CONFIGURE START"]
@@ -84,12 +94,12 @@ def test_a_bring_up_passes_every_state_and_phase_in_order(
     assert passed == once
 
 
-def test_the_pose_is_known_after_the_bring_up(at: Callable[[str], Machine]) -> None:
+def test_the_pose_is_known_after_the_bring_up(at: At) -> None:
     machine = at("RUN NONE")
     assert np.allclose(machine.orders.controller.pose, machine.handle, atol=1e-6)
 
 
-def test_bases_follow_the_handle_in_run(at: Callable[[str], Machine]) -> None:
+def test_bases_follow_the_handle_in_run(at: At) -> None:
     machine = at("RUN NONE")
     for _ in range(1000):
         machine.handle = (machine.handle[0] + 5e-5, machine.handle[1])
@@ -100,7 +110,7 @@ def test_bases_follow_the_handle_in_run(at: Callable[[str], Machine]) -> None:
 
 
 def test_no_base_is_led_faster_than_a_tenth_of_its_limit_before_run(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("TENSION APPROACH")
     fastest = 0.0
@@ -112,7 +122,7 @@ def test_no_base_is_led_faster_than_a_tenth_of_its_limit_before_run(
     assert fastest / (2 * supervised.PERIOD) < 0.15 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
 
 
-def test_a_request_that_stood_before_does_not_arm(at: Callable[[str], Machine]) -> None:
+def test_a_request_that_stood_before_does_not_arm(at: At) -> None:
     machine = at("CONFIGURE CONTRACT")
     machine.seen.requests = ARM
     machine.until(State.CONFIGURE, Phase.READY)
@@ -123,13 +133,13 @@ def test_a_request_that_stood_before_does_not_arm(at: Callable[[str], Machine]) 
     assert machine.ask(ARM).state == State.HOME
 
 
-def test_nothing_arms_while_a_stop_is_asked_for(at: Callable[[str], Machine]) -> None:
+def test_nothing_arms_while_a_stop_is_asked_for(at: At) -> None:
     machine = at("CONFIGURE READY")
     machine.run(10)
     assert machine.ask(ARM | STOP).state == State.CONFIGURE
 
 
-def test_drives_in_fault_at_power_on_are_reset(at: Callable[[str], Machine]) -> None:
+def test_drives_in_fault_at_power_on_are_reset(at: At) -> None:
     machine = at("CONFIGURE CONTRACT")
     machine.drives[6].power, machine.drives[6].error_code = Power.FAULT, 0x2310
     machine.until(State.CONFIGURE, Phase.READY)
@@ -137,9 +147,7 @@ def test_drives_in_fault_at_power_on_are_reset(at: Callable[[str], Machine]) -> 
 
 
 @pytest.mark.parametrize("moment", ["HOME TIGHTEN", "HOME SWEEP", "TENSION CLOSE", "RUN NONE"])
-def test_a_stop_that_was_asked_for_ends_ready_to_arm(
-    at: Callable[[str], Machine], moment: str
-) -> None:
+def test_a_stop_that_was_asked_for_ends_ready_to_arm(at: At, moment: str) -> None:
     machine = at(moment)
     assert told_after(machine.ask(STOP)) == ("SOFT_STOP", "REQUESTED")
     machine.until(State.CONFIGURE, Phase.READY, STOP_CYCLES + 20)
@@ -155,7 +163,7 @@ def told_after(orders: supervised.Orders) -> tuple[str, str]:
     return State(orders.state).name, Cause(orders.cause).name
 
 
-def test_only_a_reset_that_appears_leads_out_of_a_fault(at: Callable[[str], Machine]) -> None:
+def test_only_a_reset_that_appears_leads_out_of_a_fault(at: At) -> None:
     machine = at("FAULT NONE")
     machine.seen.requests = ARM | STOP
     machine.run(50)
@@ -167,7 +175,7 @@ def test_only_a_reset_that_appears_leads_out_of_a_fault(at: Callable[[str], Mach
     machine.until(State.RUN)
 
 
-def test_a_reset_that_stood_before_the_fault_does_nothing(at: Callable[[str], Machine]) -> None:
+def test_a_reset_that_stood_before_the_fault_does_nothing(at: At) -> None:
     machine = at("RUN NONE")
     machine.seen.requests = RESET
 
@@ -178,7 +186,7 @@ def test_a_reset_that_stood_before_the_fault_does_nothing(at: Callable[[str], Ma
     assert told(machine) == ("FAULT", "DRIVE_FAULT")
 
 
-def test_in_a_soft_stop_all_cables_go_down_together(at: Callable[[str], Machine]) -> None:
+def test_in_a_soft_stop_all_cables_go_down_together(at: At) -> None:
     machine = at("RUN NONE")
     machine.seen.force[:] = [6.0, -2.0]
     machine.run(50)
@@ -197,7 +205,7 @@ def test_in_a_soft_stop_all_cables_go_down_together(at: Callable[[str], Machine]
 
 
 def test_in_a_hard_stop_no_cable_pulls_after_as_many_steps_as_the_limit_has(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("RUN NONE")
     machine.seen.force[:] = [6.0, -2.0]
@@ -216,7 +224,7 @@ def test_in_a_hard_stop_no_cable_pulls_after_as_many_steps_as_the_limit_has(
     assert goals(machine) == {Goal.OFF}
 
 
-def test_a_cable_without_power_gets_no_torque_at_all(at: Callable[[str], Machine]) -> None:
+def test_a_cable_without_power_gets_no_torque_at_all(at: At) -> None:
     machine = at("RUN NONE")
 
     def fault(seen: Observation) -> None:
@@ -227,7 +235,7 @@ def test_a_cable_without_power_gets_no_torque_at_all(at: Callable[[str], Machine
     assert machine.orders.drives[2].torque == 0.0
 
 
-def test_the_first_cause_stands(at: Callable[[str], Machine]) -> None:
+def test_the_first_cause_stands(at: At) -> None:
     machine = at("RUN NONE")
 
     def late(seen: Observation) -> None:
@@ -245,7 +253,7 @@ def test_the_first_cause_stands(at: Callable[[str], Machine]) -> None:
     assert (machine.orders.culprit, machine.orders.detail) == (3, 9)
 
 
-def test_a_fault_takes_the_place_of_a_request_as_the_cause(at: Callable[[str], Machine]) -> None:
+def test_a_fault_takes_the_place_of_a_request_as_the_cause(at: At) -> None:
     machine = at("SOFT_STOP RELAX")
     assert machine.orders.cause == Cause.REQUESTED
 
@@ -259,7 +267,7 @@ def test_a_fault_takes_the_place_of_a_request_as_the_cause(at: Callable[[str], M
 
 
 def test_a_stop_during_homing_switches_the_homing_base_off_at_once(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("HOME BASE_HOMING")
     machine.ask(STOP)
@@ -270,7 +278,7 @@ def test_a_stop_during_homing_switches_the_homing_base_off_at_once(
 
 
 def test_an_answer_before_homing_ran_is_that_of_the_last_homing(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("HOME BASE_POWER")
 
@@ -306,6 +314,8 @@ WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
     # where, what the drives say for ever, the cause, its culprit, cycles
     ("INIT NONE", stuck(task=0), "DRIVE_MISSING", 0, 64 * int(NUMBERS["TB_ANSWER_TIMEOUT"])),
     ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
+    ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, STATE_TIMEOUT),
+    ("CONFIGURE START", first_base(fresh=0), "DRIVE_SILENT", 4, STATE_TIMEOUT),
     ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, STATE_TIMEOUT),
     ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, STATE_TIMEOUT),
     ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, STATE_TIMEOUT),
@@ -317,29 +327,27 @@ WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
     ("HOME BASE_WORK_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
     ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
     ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_HOMING", first_base(homing=0), "HOMING", 4, int(NUMBERS["TB_HOMING_TIMEOUT"])),
+    ("HOME BASE_POWER", first_base(homing=0), "HOMING", 4, int(NUMBERS["TB_HOMING_TIMEOUT"])),
 ]
 
 
 @pytest.mark.parametrize(("moment", "spoil", "cause", "culprit", "cycles"), WAITS)
 def test_no_wait_is_without_an_end(
-    at: Callable[[str], Machine],
+    stock_at: At,
     moment: str,
     spoil: Callable[[Observation], None],
     cause: str,
     culprit: int,
     cycles: int,
 ) -> None:
-    if moment == "HOME BASE_HOMING":
-        moment = "HOME BASE_POWER"
-    machine = at(moment)
+    machine = stock_at(moment)
     machine.run(cycles + 20, lambda orders: orders.cause != Cause.NONE, spoil)
     assert Cause(machine.orders.cause).name == cause
     assert machine.orders.culprit == culprit
 
 
 def test_a_drive_that_stays_on_after_a_requested_stop_is_a_fault(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("SOFT_STOP POWER_OFF")
 
@@ -351,7 +359,7 @@ def test_a_drive_that_stays_on_after_a_requested_stop_is_a_fault(
     assert machine.orders.culprit == 7
 
 
-def test_a_drive_that_gets_power_while_ready_is_a_fault(at: Callable[[str], Machine]) -> None:
+def test_a_drive_that_gets_power_while_ready_is_a_fault(at: At) -> None:
     machine = at("CONFIGURE READY")
     machine.run(10)
 
@@ -363,7 +371,7 @@ def test_a_drive_that_gets_power_while_ready_is_a_fault(at: Callable[[str], Mach
 
 
 def test_a_drive_that_does_not_switch_off_before_arming_is_a_fault(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("CONFIGURE FAULT_RESET")
     machine.until(State.CONFIGURE, Phase.READY)
@@ -376,7 +384,7 @@ def test_a_drive_that_does_not_switch_off_before_arming_is_a_fault(
 
 
 def test_a_hard_stop_ends_even_if_a_drive_never_tells_that_it_is_off(
-    at: Callable[[str], Machine],
+    at: At,
 ) -> None:
     machine = at("HARD_STOP POWER_OFF")
     machine.run(
@@ -403,9 +411,9 @@ FAILURES = [
 
 @pytest.mark.parametrize(("moment", "failure", "cause"), FAILURES)
 def test_a_failed_task_is_told_with_its_object(
-    at: Callable[[str], Machine], moment: str, failure: int, cause: str
+    stock_at: At, moment: str, failure: int, cause: str
 ) -> None:
-    machine = at(moment)
+    machine = stock_at(moment)
     cables = moment == "HOME CABLE_MODE"
     index = 2 if cables else 4
 
@@ -435,9 +443,9 @@ def damage(machine: Machine, place: int, value: int) -> None:
     [*itertools.product(["CONFIGURE READY", "HOME SWEEP", "RUN NONE", "FAULT NONE"], range(3, 7))],
 )
 def test_damaged_memory_takes_torque_and_heartbeat_away(
-    at: Callable[[str], Machine], moment: str, place: int
+    stock_at: At, moment: str, place: int
 ) -> None:
-    machine = at(moment)
+    machine = stock_at(moment)
     first = machine.orders.cause
     damage(machine, place, 0x7F)
     orders = machine.step()
@@ -450,7 +458,14 @@ def test_damaged_memory_takes_torque_and_heartbeat_away(
     assert machine.ask(RESET).beat == 1
 
 
-def test_a_force_sensor_that_is_silent_is_not_read(at: Callable[[str], Machine]) -> None:
+def test_a_state_that_is_none_is_damage_too(at: At) -> None:
+    machine = at("RUN NONE")
+    damage(machine, 5, 0x7F)
+    damage(machine, 3, 0x80)
+    assert machine.step().beat == 0
+
+
+def test_a_force_sensor_that_is_silent_is_not_read(at: At) -> None:
     machine = at("RUN NONE")
     machine.seen.hand_force_fresh = 0
     machine.seen.hand_force[:] = [np.nan, np.inf]
@@ -459,7 +474,7 @@ def test_a_force_sensor_that_is_silent_is_not_read(at: Callable[[str], Machine])
     assert machine.orders.controller.status == 0
 
 
-def test_the_force_of_the_application_is_served_in_run_only(at: Callable[[str], Machine]) -> None:
+def test_the_force_of_the_application_is_served_in_run_only(at: At) -> None:
     for moment, served in (("TENSION CLOSE", 0.0), ("RUN NONE", 2.0)):
         machine = at(moment)
         machine.seen.force[:] = [2.0, 0.0]
@@ -467,7 +482,52 @@ def test_the_force_of_the_application_is_served_in_run_only(at: Callable[[str], 
         assert machine.orders.controller.wanted_force[0] == served
 
 
-def test_missed_answers_are_bridged_up_to_the_limit(at: Callable[[str], Machine]) -> None:
+def test_a_force_that_the_cables_do_not_have_is_no_fault(at: At) -> None:
+    machine = at("RUN NONE")
+    machine.seen.force[:] = [50.0, 0.0]
+    machine.run(100)
+    assert machine.orders.state == State.RUN
+    assert machine.orders.controller.status == 1
+
+
+def test_a_failed_step_only_delays_the_approach(at: At) -> None:
+    machine = at("TENSION APPROACH")
+
+    def no_number(seen: Observation) -> None:
+        seen.hand_force[0] = np.nan
+
+    machine.run(3, spoil=no_number)
+    machine.seen.hand_force[0] = 0.0
+    machine.until(State.RUN)
+    assert machine.orders.cause == Cause.NONE
+
+
+def test_a_drive_that_leaves_its_mode_stops_the_machine(at: At) -> None:
+    machine = at("RUN NONE")
+
+    def leave(seen: Observation) -> None:
+        seen.drives[1].mode = Mode.HOMING
+
+    machine.step(leave)
+    assert told(machine) == ("HARD_STOP", "DRIVE_STATE")
+
+
+def test_a_homed_base_that_is_pushed_away_while_another_one_homes_is_lost(
+    at: At,
+) -> None:
+    machine = at("HOME BASE_WORK_POWER")
+    machine.until(State.HOME, Phase.BASE_HOMING)
+    pushed = itertools.count()
+
+    def push(seen: Observation) -> None:
+        seen.drives[CABLES].position = min(1e-3 * next(pushed), 0.1)
+
+    machine.run(400, lambda orders: orders.cause != Cause.NONE, push)
+    assert told(machine) == ("SOFT_STOP", "BASE_LOST")
+    assert machine.orders.culprit == CABLES
+
+
+def test_missed_answers_are_bridged_up_to_the_limit(at: At) -> None:
     machine = at("RUN NONE")
     limit = int(NUMBERS["TB_MISSED_LIMIT"])
     missed = itertools.count(1)
@@ -481,7 +541,7 @@ def test_missed_answers_are_bridged_up_to_the_limit(at: Callable[[str], Machine]
     assert told(machine) == ("HARD_STOP", "DRIVE_SILENT")
 
 
-def test_slack_is_wound_in_gently(at: Callable[[str], Machine]) -> None:
+def test_slack_is_wound_in_gently(at: At) -> None:
     machine = at("HOME CABLE_POWER")
     machine.until(State.HOME, Phase.TIGHTEN)
     wound = 0.0
@@ -498,7 +558,7 @@ def test_slack_is_wound_in_gently(at: Callable[[str], Machine]) -> None:
         assert machine.orders.drives[0].torque == pytest.approx(expected, abs=1e-9)
 
 
-def test_a_cable_that_cannot_be_tightened_is_told(at: Callable[[str], Machine]) -> None:
+def test_a_cable_that_cannot_be_tightened_is_told(at: At) -> None:
     machine = at("HOME TIGHTEN")
     wound = itertools.count(1)
     start = machine.seen.drives[2].position

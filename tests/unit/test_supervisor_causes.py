@@ -102,9 +102,9 @@ ELSEWHERE = {
 """Tested one by one, here or in test_supervisor.py."""
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def moments() -> tuple[Machine, Moments]:
-    return supervised.moments(supervised.stock_library())
+    return supervised.moments("torque")
 
 
 def applies(row: Row, moment: str) -> bool:
@@ -208,7 +208,9 @@ def ended(machine: Machine, spoil: Spoil, cycles: int) -> tuple[str, str, int]:
     return State(orders.state).name, supervised.Cause(orders.cause).name, orders.culprit
 
 
-@pytest.mark.parametrize("moment", ["HOME SWEEP", "TENSION APPROACH", "RUN NONE", "SOFT_STOP RELAX"])
+@pytest.mark.parametrize(
+    "moment", ["HOME SWEEP", "TENSION APPROACH", "RUN NONE", "SOFT_STOP RELAX"]
+)
 def test_a_cable_that_speeds_up_beyond_the_limit_is_a_runaway(
     moments: tuple[Machine, Moments], moment: str
 ) -> None:

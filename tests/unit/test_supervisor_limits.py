@@ -1,5 +1,6 @@
 """Whatever the drives report, no order is beyond its limits, and none changes faster than it may."""
 
+import ctypes
 import math
 from collections.abc import Callable
 
@@ -12,7 +13,6 @@ from supervised import CABLES, DRIVES, Goal, Machine, Moments, Observation, Orde
 
 NUMBERS = constants(supervised.STOCK)
 NOT_NUMBERS = [math.nan, math.inf, -math.inf, 1e300, -1e300, 1e9, -5.0, 0.0, 0.7]
-LIBRARIES = {"torque": supervised.stock_library, "position": supervised.position_library}
 
 REALS = st.sampled_from(NOT_NUMBERS) | st.floats()
 BYTES = st.integers(0, 6) | st.integers(0, 255)
@@ -47,9 +47,9 @@ CYCLE = st.fixed_dictionaries(
 CYCLES = st.lists(CYCLE, min_size=1, max_size=12)
 
 
-@pytest.fixture(scope="module", params=LIBRARIES)
+@pytest.fixture(scope="module", params=supervised.LIBRARIES)
 def moments(request: pytest.FixtureRequest) -> tuple[Machine, Moments]:
-    return supervised.moments(LIBRARIES[request.param]())
+    return supervised.moments(request.param)
 
 
 def spoil_with(cycle: dict[str, object]) -> Callable[[Observation], None]:
@@ -104,7 +104,7 @@ def base_limits() -> tuple[float, float]:
     return -limit, limit
 
 
-@settings(max_examples=150)
+@settings(max_examples=100)
 @given(data=st.data())
 def test_no_order_is_ever_beyond_its_limits(
     moments: tuple[Machine, Moments], data: st.DataObject
@@ -131,6 +131,20 @@ def test_an_order_beyond_its_limits_would_be_noticed(moments: tuple[Machine, Mom
     found = beyond(machine, before, machine.seen)
     assert "drive 0: torque within limits" in found
     assert "drive 5: position on the rail" in found
+
+
+@pytest.mark.parametrize(
+    ("command", "torque", "flags"), [(math.nan, 0.015, 1), (-1.0, 0.0, 2), (0.06, 0.055, 4)]
+)
+def test_the_gate_of_the_supervisor_refuses_what_no_state_asks_for(
+    moments: tuple[Machine, Moments], command: float, torque: float, flags: int
+) -> None:
+    gate = moments[0].library.tb_torque_gate
+    gate.argtypes = [ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double)]
+    let_through = ctypes.c_double()
+    previous = 0.01 if torque < 0.02 else 0.05
+    assert gate(previous, command, ctypes.byref(let_through)) == flags
+    assert let_through.value == pytest.approx(torque)
 
 
 def test_the_same_observations_give_the_same_orders_to_the_bit(

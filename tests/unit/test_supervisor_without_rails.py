@@ -95,9 +95,7 @@ def test_moving_the_handle_around_calibrates_the_machine(machine: FixedMachine) 
 
 
 def test_a_handle_that_is_left_alone_does_not(machine: FixedMachine) -> None:
-    machine.run(
-        int(NUMBERS["TB_HOMING_TIMEOUT"]) + 5, lambda orders: orders.state != State.HOME
-    )
+    machine.run(int(NUMBERS["TB_HOMING_TIMEOUT"]) + 5, lambda orders: orders.state != State.HOME)
     told = State(machine.orders.state).name, Cause(machine.orders.cause).name
     assert told == ("SOFT_STOP", "CALIBRATION")
 
