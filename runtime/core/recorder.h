@@ -25,8 +25,8 @@
 #include "supervisor_memory.h"
 #include "tb_machine.h"
 
-/* A port with little memory sets these smaller. A cycle of yoon2023 takes 944 bytes in double, so
- * that 40 segments of 256 cycles, 10.24 s at 1 kHz, take 9.9 MB. */
+/* A port with little memory sets these smaller. A cycle of yoon2023 takes 912 bytes in double, so
+ * that 40 segments of 256 cycles, 10.24 s at 1 kHz, take 9.5 MB. */
 #ifndef TB_SEGMENT_CYCLES
 #define TB_SEGMENT_CYCLES 256u
 #endif
