@@ -113,8 +113,9 @@ class Lockstep:
         """Run one cycle."""
         self._deliver(self._library.shim_sync(self._memory, self._sent, ROOM))
         self._wish()
-        count = self._library.shim_run(self._memory, pointer(self._wishes), self._sent, ROOM)
-        self._deliver(count)
+        missed, self.missed = self.missed, 0
+        wishes = pointer(self._wishes)
+        self._deliver(self._library.shim_run(self._memory, wishes, missed, self._sent, ROOM))
         self.machine.advance()
         self._return_answers()
         self.cycles += 1
@@ -143,7 +144,6 @@ class Lockstep:
         wishes["hand_force"] = machine.world.hand_force if known else self.hand_force
         wishes["hand_force_fresh"] = self.hand_force_fresh
         wishes["requests"] = int(self.requests)
-        wishes["missed"], self.missed = self.missed, 0
 
     def _deliver(self, count: int) -> None:
         """Put on the buses what the master sent, and hand back what is answered."""
@@ -188,7 +188,7 @@ def load(generated: Generated) -> ctypes.CDLL:
 _POINTER, _SIZE, _WORD = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_uint32
 ARGUMENTS = {
     "shim_sync": [_POINTER, _POINTER, _SIZE],
-    "shim_run": [_POINTER, _POINTER, _POINTER, _SIZE],
+    "shim_run": [_POINTER, _POINTER, _WORD, _POINTER, _SIZE],
     "shim_give": [_POINTER, ctypes.c_char_p, _SIZE],
     "shim_look": [_POINTER, _POINTER],
     "shim_set_bus": [_POINTER, _SIZE, _WORD, _WORD],
@@ -196,13 +196,13 @@ ARGUMENTS = {
 
 
 def layouts(generated: Generated) -> tuple[np.dtype[np.void], np.dtype[np.void]]:
-    """shim_wishes and shim_view of lockstep_shim.c."""
+    """tb_wishes, and shim_view of lockstep_shim.c."""
     machine, reals = generated.machine, REALS[generated.precision]
     d, n = (machine.dof,), (len(machine.cables),)
     drives = (len(machine.drives),)
     word = np.uint32
-    words = ("hand_force_fresh", "requests", "missed")
-    wishes = [("force", reals, d), ("hand_force", reals, d), *((each, word, ()) for each in words)]
+    words = ("requests", "hand_force_fresh")
+    wishes = [*((each, word, ()) for each in words), ("force", reals, d), ("hand_force", reals, d)]
     names = ["state", "phase", "cause", "culprit", "index", "subindex", "failure", "detail", "beat"]
     view = [
         *((name, word, ()) for name in names),

@@ -4,8 +4,7 @@
 #include <stdint.h>
 
 #include "loopback.h"
-#include "network.h"
-#include "supervisor_memory.h"
+#include "master.h"
 
 /** A frame on one of the buses. */
 typedef struct {
@@ -14,15 +13,6 @@ typedef struct {
     uint16_t id;
     uint8_t data[8];
 } shim_frame;
-
-/** What a cycle is told beside the frames. */
-typedef struct {
-    real_t force[TB_DOF];
-    real_t hand_force[TB_DOF];
-    uint32_t hand_force_fresh;
-    uint32_t requests;
-    uint32_t missed;
-} shim_wishes;
 
 /** What there is to see of a cycle. */
 typedef struct {
@@ -48,10 +38,7 @@ typedef struct {
 
 typedef struct {
     tb_loopback buses[TB_BUSES];
-    tb_network network;
-    tb_supervisor supervisor;
-    tb_observation seen;
-    tb_orders orders;
+    tb_master master;
 } shim_machine;
 
 size_t shim_machine_size(void);
@@ -59,7 +46,8 @@ size_t shim_wishes_size(void);
 size_t shim_view_size(void);
 void shim_start(shim_machine *machine);
 size_t shim_sync(shim_machine *machine, shim_frame sent[], size_t room);
-size_t shim_run(shim_machine *machine, const shim_wishes *wishes, shim_frame sent[], size_t room);
+size_t shim_run(shim_machine *machine, const tb_wishes *wishes, uint32_t missed, shim_frame sent[],
+                size_t room);
 size_t shim_give(shim_machine *machine, const shim_frame arrived[], size_t count);
 void shim_look(const shim_machine *machine, shim_view *view);
 void shim_set_bus(shim_machine *machine, size_t bus, uint32_t state, uint32_t full);
@@ -71,7 +59,7 @@ size_t shim_machine_size(void)
 
 size_t shim_wishes_size(void)
 {
-    return sizeof(shim_wishes);
+    return sizeof(tb_wishes);
 }
 
 size_t shim_view_size(void)
@@ -86,8 +74,7 @@ void shim_start(shim_machine *machine)
         tb_loopback_open(&machine->buses[i]);
         ports[i] = &machine->buses[i].port;
     }
-    tb_network_start(&machine->network, ports);
-    tb_supervisor_start(&machine->supervisor);
+    tb_master_start(&machine->master, ports);
 }
 
 /* What the master has sent on all buses since the last time. */
@@ -112,22 +99,14 @@ static size_t take_sent(shim_machine *machine, shim_frame sent[], size_t room)
 
 size_t shim_sync(shim_machine *machine, shim_frame sent[], size_t room)
 {
-    tb_network_sync(&machine->network);
+    tb_master_sync(&machine->master);
     return take_sent(machine, sent, room);
 }
 
-size_t shim_run(shim_machine *machine, const shim_wishes *wishes, shim_frame sent[], size_t room)
+size_t shim_run(shim_machine *machine, const tb_wishes *wishes, uint32_t missed, shim_frame sent[],
+                size_t room)
 {
-    for (size_t i = 0; i < TB_DOF; i++) {
-        machine->seen.force[i] = wishes->force[i];
-        machine->seen.hand_force[i] = wishes->hand_force[i];
-    }
-    machine->seen.hand_force_fresh = wishes->hand_force_fresh;
-    machine->seen.requests = wishes->requests;
-    machine->seen.missed = wishes->missed;
-    tb_network_collect(&machine->network, &machine->seen);
-    tb_supervisor_step(&machine->supervisor, &machine->seen, &machine->orders);
-    tb_network_dispatch(&machine->network, &machine->orders);
+    tb_master_run(&machine->master, wishes, missed);
     return take_sent(machine, sent, room);
 }
 
@@ -148,7 +127,8 @@ size_t shim_give(shim_machine *machine, const shim_frame arrived[], size_t count
 
 void shim_look(const shim_machine *machine, shim_view *view)
 {
-    const tb_orders *const orders = &machine->orders;
+    const tb_master *const master = &machine->master;
+    const tb_orders *const orders = &master->orders;
     view->state = orders->state;
     view->phase = orders->phase;
     view->cause = orders->cause;
@@ -167,11 +147,11 @@ void shim_look(const shim_machine *machine, shim_view *view)
     }
     for (size_t i = 0; i < TB_CABLES; i++) {
         view->tension[i] = orders->controller.tension[i];
-        view->zeros[i] = machine->supervisor.calibration.zeros[i];
+        view->zeros[i] = master->supervisor.calibration.zeros[i];
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
-        view->position[i] = machine->seen.drives[i].position;
-        view->power[i] = machine->seen.drives[i].power;
+        view->position[i] = master->seen.drives[i].position;
+        view->power[i] = master->seen.drives[i].power;
     }
 }
 
