@@ -1,5 +1,6 @@
 """The control loop of the executable: time, stops, the seal, the watchdog."""
 
+import itertools
 import os
 import re
 import signal
@@ -11,12 +12,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from running import Lines, Running, running, silent_lines
 
 from codegen.compile import compile_program
 from lab.live.program import FOLDERS, RUNTIME, compile_machine
 from lab.live.telemetry import Telemetry
 from lab.live.words import STATES
-from running import Lines, Running, running, silent_lines
 
 FAULT = STATES.index("FAULT")
 PORT = RUNTIME / "port" / "linux"
@@ -48,7 +49,7 @@ def assert_on_the_grid(telemetry: Telemetry) -> None:
     """Every cycle began in the first quarter of a period, and skipped ones were counted."""
     cycles = kept(telemetry)
     period = round(float(telemetry.counts["period"]) * 1e9)
-    for before, after in zip(cycles, cycles[1:], strict=False):
+    for before, after in itertools.pairwise(cycles):
         gap = int(after["time"]) - int(before["time"])
         assert abs(gap - (1 + int(after["missed"])) * period) <= period / 4 + 1
 
@@ -63,15 +64,22 @@ def test_a_signal_is_a_stop_that_was_asked_for(program: Path, lines: Lines, name
         assert run.telemetry.ended
 
 
+def test_a_second_signal_ends_the_program_at_once(program: Path, lines: Lines) -> None:
+    with running(program, [*lines.options, "--pace=1000"]) as run:
+        run.process.send_signal(signal.SIGTERM)
+        run.process.send_signal(signal.SIGINT)
+        assert run.process.wait() == 1
+        assert run.process.stderr is not None
+        assert "ended at once" in run.process.stderr.read()
+
+
 def test_so_many_cycles_are_run_and_no_more(program: Path, lines: Lines) -> None:
     with running(program, [*lines.options, "--cycles=50"]) as run:
         assert run.process.wait() == 0
         assert int(run.telemetry.status()["published"]) in (50, 51)
 
 
-def test_without_drives_the_program_says_which_one_is_missing(
-    program: Path, lines: Lines
-) -> None:
+def test_without_drives_the_program_says_which_one_is_missing(program: Path, lines: Lines) -> None:
     with running(program, [*lines.options, "--arm"]) as run:
         run.await_state(FAULT)
         cause = run.telemetry.status()["cause"].decode()
@@ -81,9 +89,7 @@ def test_without_drives_the_program_says_which_one_is_missing(
         assert err == f"turnbuckle-yoon2023: stopped: {cause}\n"
 
 
-def test_a_line_that_disappears_is_a_fault_that_names_its_bus(
-    program: Path, lines: Lines
-) -> None:
+def test_a_line_that_disappears_is_a_fault_that_names_its_bus(program: Path, lines: Lines) -> None:
     with running(program, lines.options) as run:
         run.await_cycles(20)
         lines.unplug(1)
@@ -164,9 +170,7 @@ def careless(stock_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Pa
     assert behind in text
     source = tmp_path_factory.mktemp("careless") / "loop.c"
     source.write_text(includes + text.replace(behind, behind + lines))
-    others = [
-        path for folder in (stock_folder, *FOLDERS) for path in sorted(folder.glob("*.c"))
-    ]
+    others = [path for folder in (stock_folder, *FOLDERS) for path in sorted(folder.glob("*.c"))]
     sources = [path for path in others if path != PORT / "loop.c"]
     return compile_program([*sources, source], [stock_folder, *FOLDERS])
 

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from running import BUSES, Lines, running, silent_lines
 
 from lab.live.program import compile_machine
-from running import BUSES, Lines, running, silent_lines
 
 NOBODY = 65534
 

@@ -112,7 +112,7 @@ tb_end tb_loop_run(tb_loop *loop)
     tb_grid grid = begin_grid(loop->options->pace);
     tb_watchdog_ready(&loop->watchdog);
     while ((loop->stopping == 0) || !is_at_rest(loop->master)) {
-        if (tb_stop_wished() > 2) {
+        if (tb_stop_wished() > 1) {
             return TB_END_AT_ONCE;
         }
         if (loop->stopping > LONGEST_STOP) {

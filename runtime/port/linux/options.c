@@ -37,7 +37,8 @@ static const char usage[] =
     "  --version         print the machine's name and hash\n"
     "  --help            print this\n"
     "\n"
-    "SIGINT and SIGTERM stop the machine softly; once more, at once.\n"
+    "SIGINT and SIGTERM stop the machine softly. Once more ends the program at once: then the\n"
+    "drives miss its heartbeat, and switch themselves off.\n"
     "Exit status: 0 stopped as asked, 1 stopped by a fault, 2 could not start.";
 
 static const struct option known[] = {

@@ -10,7 +10,7 @@ static volatile sig_atomic_t wishes;
 static void count_wish(int signal)
 {
     (void)signal;
-    wishes = (wishes < 3) ? wishes + 1 : 3;
+    wishes = (wishes < 2) ? wishes + 1 : 2;
 }
 
 void tb_stop_listen(void)

@@ -5,7 +5,7 @@
 /** Listen to SIGINT, SIGTERM and SIGHUP; SIGPIPE does nothing. */
 void tb_stop_listen(void);
 
-/** How often a stop was asked for, up to 3: once is softly, twice is hard, more is at once. */
+/** How often a stop was asked for: 0 not at all, 1 a soft stop, 2 an end at once. */
 int tb_stop_wished(void);
 
 #endif
