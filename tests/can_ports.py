@@ -57,12 +57,10 @@ class Frame(ctypes.Structure):
 class Statistics(ctypes.Structure):
     """tb_can_statistics."""
 
-    _fields_ = tuple(
-        (name, ctypes.c_uint32)
-        for name in (
-            *("sent", "received", "refused", "lost"),
-            *("malformed", "bus_errors", "bus_off"),
-        )
+    _fields_ = (
+        *((name, ctypes.c_uint32) for name in ("sent", "received", "refused", "lost")),
+        *((name, ctypes.c_uint32) for name in ("malformed", "bus_errors", "bus_off")),
+        ("bits", ctypes.c_uint64),
     )
 
 

@@ -109,6 +109,25 @@ def test_statistics_stop_at_their_largest_value() -> None:
     assert bus.statistics.sent == bus.statistics.refused == 2**32 - 1
 
 
+def test_bits_are_those_that_frames_take_on_the_bus() -> None:
+    bus = Loopback()
+    for message, bits in (
+        (can.Message(arbitration_id=1, is_extended_id=False), 47),
+        (can.Message(arbitration_id=1, is_extended_id=False, data=range(8)), 111),
+        (can.Message(arbitration_id=1, is_extended_id=False, is_remote_frame=True, dlc=8), 47),
+        (can.Message(arbitration_id=1, data=range(8)), 131),
+    ):
+        before = bus.statistics.bits
+        bus.send(message)
+        assert bus.statistics.bits == before + bits
+        bus.give(message)
+        bus.receive()
+        assert bus.statistics.bits == before + 2 * bits
+    bus.set_full(True)
+    bus.send(frame(1))
+    assert bus.statistics.bits == 2 * (47 + 111 + 47 + 131)
+
+
 def test_a_copy_is_a_second_bus_in_the_same_state() -> None:
     bus, fork = Loopback(), Loopback()
     bus.send(frame(1))
