@@ -212,12 +212,13 @@ def compiled(machine: Path, name: str) -> ctypes.CDLL:
 
 
 def compile_for_coverage(files: list[Path], include: list[Path], folder: Path) -> Path:
-    """As compile_library, but its use leaves a trace in `folder`."""
+    """As compile_library, but its use leaves a trace in `folder`, which adds up."""
+    library = folder / "library.so"
+    if library.exists():
+        return library
     folder.mkdir(parents=True, exist_ok=True)
     flags = ["-std=c11", "-O0", "--coverage", "-fPIC", *(f"-I{path}" for path in include)]
-    for file in files:
-        subprocess.run(["gcc", *flags, "-c", str(file)], cwd=folder, check=True)
-    library = folder / "library.so"
+    subprocess.run(["gcc", *flags, "-c", *map(str, files)], cwd=folder, check=True)
     objects = [f"{file.stem}.o" for file in files]
     command = ["gcc", "-shared", "--coverage", *objects, "-o", library.name]
     subprocess.run(command, cwd=folder, check=True)

@@ -300,22 +300,23 @@ def stuck(**values: int) -> Callable[[Observation], None]:
     return spoil
 
 
-def first_base(**values: int) -> Callable[[Observation], None]:
-    """The first base drive reports this, whatever it is ordered."""
+def one_drive(index: int, **values: int) -> Callable[[Observation], None]:
+    """One drive reports this, whatever it is ordered."""
 
     def spoil(seen: Observation) -> None:
         for name, value in values.items():
-            setattr(seen.drives[CABLES], name, value)
+            setattr(seen.drives[index], name, value)
 
     return spoil
 
 
+first_base, last_base = partial(one_drive, CABLES), partial(one_drive, DRIVES - 1)
 WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
     # where, what the drives say for ever, the cause, its culprit, cycles
     ("INIT NONE", stuck(task=0), "DRIVE_MISSING", 0, 64 * int(NUMBERS["TB_ANSWER_TIMEOUT"])),
     ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
     ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, STATE_TIMEOUT),
-    ("CONFIGURE START", first_base(fresh=0), "DRIVE_SILENT", 4, STATE_TIMEOUT),
+    ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, STATE_TIMEOUT),
     ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, STATE_TIMEOUT),
     ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, STATE_TIMEOUT),
     ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, STATE_TIMEOUT),
@@ -520,7 +521,8 @@ def test_a_homed_base_that_is_pushed_away_while_another_one_homes_is_lost(
     pushed = itertools.count()
 
     def push(seen: Observation) -> None:
-        seen.drives[CABLES].position = min(1e-3 * next(pushed), 0.1)
+        away = min(1e-3 * next(pushed), 0.1)
+        machine.rails[0], machine.rates[0], seen.drives[CABLES].position = away, 0.0, away
 
     machine.run(400, lambda orders: orders.cause != Cause.NONE, push)
     assert told(machine) == ("SOFT_STOP", "BASE_LOST")

@@ -1,4 +1,4 @@
-"""Whatever drives report, no order is beyond its limits, and none changes faster than it may."""
+"""Whatever the drives report, no order is beyond its limits or changes faster than it may."""
 
 import ctypes
 import math

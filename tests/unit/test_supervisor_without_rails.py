@@ -1,4 +1,4 @@
-"""The supervisor of a machine with fixed bases: its user moves the platform to calibrate it."""
+"""The supervisor of a machine whose bases are fixed: its user moves the platform to calibrate."""
 
 import ctypes
 import re
