@@ -3,12 +3,13 @@
 import ctypes
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 
-from supervised import CORE, SHIM, STOCK, Machine, Observation, Orders, sources
+from supervised import CORE, SHIM, STOCK, Machine, Observation, Orders
 
 from codegen.bind import keep_text
 from codegen.compile import LIBRARIES, compile_library
-from lab.flight.replay import DESIGN
+from lab.flight.replay import supervisor_sources
 
 SEGMENTS, SEGMENT_CYCLES = 40, 256
 """TB_RECORDER_SEGMENTS and TB_SEGMENT_CYCLES of runtime/core/recorder.h."""
@@ -38,14 +39,19 @@ size_t shim_read_out(const tb_recorder *recorder, unsigned char *out)
 
 
 @cache
-def library() -> ctypes.CDLL:
-    """The stock machine's supervisor and recorder."""
+def library_file() -> Path:
+    """The stock machine's supervisor and recorder, with what it takes to run cycles again."""
     folder = LIBRARIES.parent / "flown"
     keep_text(folder / "shim.c", SHIM)
     keep_text(folder / "read_out.c", READ_OUT)
     shims = [folder / "shim.c", folder / "read_out.c"]
-    files = [path for path in sources(STOCK) if path.name not in DESIGN]
-    loaded = ctypes.CDLL(str(compile_library([*files, *shims], [STOCK, CORE])))
+    return compile_library([*supervisor_sources(STOCK), *shims], [STOCK, CORE])
+
+
+@cache
+def library() -> ctypes.CDLL:
+    """The same, loaded."""
+    loaded = ctypes.CDLL(str(library_file()))
     for name in ("shim_recorder_size", "shim_read_out"):
         getattr(loaded, name).restype = ctypes.c_size_t
     return loaded

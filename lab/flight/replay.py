@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.bind import generate_into_build, pointer
+from codegen.accuracy_cache import measured_accuracy
+from codegen.bind import folder_of, pointer
 from codegen.compile import compile_library
 from codegen.controller import RUNTIME_CORE
-from codegen.generate import build_model, machine_hash
+from codegen.generate import build_model, machine_hash, render
 from lab.flight import FlightError
 from lab.flight.recording import Recording, Records, Segment
 
@@ -48,11 +49,9 @@ class Replay:
 class Supervisor:
     """The compiled supervisor of a machine."""
 
-    def __init__(self, folder: Path, precision: str, core: Path = RUNTIME_CORE) -> None:
-        """Compile the C of a machine, in `folder`, together with the runtime's core."""
-        generated = [path for path in sorted(folder.glob("*.c")) if path.name not in DESIGN]
-        sources = [*generated, *sorted(core.glob("*.c")), SHIM]
-        self._library = ctypes.CDLL(str(compile_library(sources, [folder, core], precision)))
+    def __init__(self, library: Path) -> None:
+        """Load what was compiled of supervisor_sources."""
+        self._library = ctypes.CDLL(str(library))
         self._library.shim_replay.restype = None
 
     def size(self, name: str) -> int:
@@ -70,24 +69,38 @@ class Supervisor:
         return again
 
 
+def supervisor_sources(folder: Path) -> list[Path]:
+    """The C of a machine, in `folder`, and the runtime's core, as far as they order anything."""
+    generated = [path for path in sorted(folder.glob("*.c")) if path.name not in DESIGN]
+    return [*generated, *sorted(RUNTIME_CORE.glob("*.c")), SHIM]
+
+
+def compile_supervisor(folder: Path, precision: str) -> Supervisor:
+    """The supervisor of a machine whose C is in `folder`."""
+    include = [folder, RUNTIME_CORE]
+    return Supervisor(compile_library(supervisor_sources(folder), include, precision))
+
+
 def replay(recording: Recording) -> Replay:
     """Run a recording again through the C that its machine file makes today.
 
     Raises FlightError where that is not the C which recorded.
     """
-    refuse_other_hash(recording)
-    folder = generate_into_build(recording.machine)
-    return run_again(recording, Supervisor(folder, recording.precision))
-
-
-def refuse_other_hash(recording: Recording) -> None:
-    """Refuse a machine file that has changed since, or that a changed generator reads."""
     machine = recording.machine
-    wanted = machine_hash(build_model(machine))
+    model = build_model(machine)
+    refuse_other_hash(recording, machine_hash(model))
+    accuracies = measured_accuracy(machine, model.items())
+    folder = folder_of(machine, render(model, accuracies))
+    return run_again(recording, compile_supervisor(folder, recording.precision))
+
+
+def refuse_other_hash(recording: Recording, wanted: str) -> None:
+    """Refuse a machine file that has changed since, or that a changed generator reads."""
     if recording.hash != wanted:
         raise FlightError(
-            f"{recording.path}: of machine hash {recording.hash}; {machine.path} has {wanted}:"
-            " use the machine file, and the version of turnbuckle, that the program was made from"
+            f"{recording.path}: of machine hash {recording.hash}; {recording.machine.path} has"
+            f" {wanted}: use the machine file, and the version of turnbuckle, that the program was"
+            " made from"
         )
 
 

@@ -4,13 +4,15 @@ import ctypes
 import hashlib
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from unmeasured import geometry, machine_named
 
-from codegen.bind import REALS, Generated, keep_text, pointer
+from codegen.bind import REALS, keep_text, pointer
 from codegen.compile import LIBRARIES, compile_library
+from model.machine import Machine
 
 ROOT = Path(__file__).parents[2]
 CORE = ROOT / "runtime" / "core"
@@ -33,11 +35,19 @@ LIMITS = f"""
 """
 
 
+class Kinematics(NamedTuple):
+    """The C of a machine, of which only the kinematics are compiled here."""
+
+    machine: Machine
+    folder: Path
+    precision: str
+
+
 class Part:
     """A compiled part of the core with the memory that it works on."""
 
     def __init__(
-        self, generated: Generated, sources: dict[str, str], memory: np.dtype[np.void]
+        self, generated: Kinematics, sources: dict[str, str], memory: np.dtype[np.void]
     ) -> None:
         """Compile C files, each a name and a text, together with the machine's kinematics."""
         texts = sources | {"tb_drives.h": LIMITS}
@@ -57,12 +67,12 @@ class Part:
 
 
 @cache
-def kinematics_of(name: str, precision: str) -> Generated:
-    """The compiled kinematics of a machine: as committed, or made for the tests."""
+def kinematics_of(name: str, precision: str) -> Kinematics:
+    """The kinematics of a machine: as committed, or made for the tests."""
     folder = ROOT / "generated" / name
     if not folder.exists():
         folder = geometry(name).folder
-    return Generated(machine_named(name), folder, precision)
+    return Kinematics(machine_named(name), folder, precision)
 
 
 def source(name: str) -> str:
@@ -70,12 +80,12 @@ def source(name: str) -> str:
     return (CORE / name).read_text()
 
 
-def slots(generated: Generated) -> int:
+def slots(generated: Kinematics) -> int:
     """TB_RAIL_SLOTS."""
     return max(1, len(generated.machine.rails))
 
 
-def in_slots(generated: Generated, rails: NDArray[np.float64]) -> NDArray[np.floating]:
+def in_slots(generated: Kinematics, rails: NDArray[np.float64]) -> NDArray[np.floating]:
     """Rail coordinates (..., m) in the slots that the C has for them."""
     filled = np.zeros((*rails.shape[:-1], slots(generated)), REALS[generated.precision])
     filled[..., : rails.shape[-1]] = rails

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from bare_core import CLOSURE, SAMPLES, Part, in_slots, kinematics_of, slots, source
+from bare_core import CLOSURE, SAMPLES, Kinematics, Part, in_slots, kinematics_of, slots, source
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from codegen.bind import REALS, Generated
+from codegen.bind import REALS
 from model.machine import Machine
 from model.reference import kinematics
 
@@ -32,7 +32,7 @@ FILES = ["calibration.c", "pose_space.c"]
 class Calibration(Part):
     """calibration.c for one machine."""
 
-    def __init__(self, generated: Generated, change: tuple[str, str] = ("", "")) -> None:
+    def __init__(self, generated: Kinematics, change: tuple[str, str] = ("", "")) -> None:
         """`change`: words of the C to be replaced by others."""
         self.generated, machine = generated, generated.machine
         real = REALS[generated.precision]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flown import SEGMENT_CYCLES, SEGMENTS, Flight
+from flown import SEGMENT_CYCLES, SEGMENTS, Flight, library_file
 from pyarrow import parquet
 from supervised import CORE, RESET, STOCK, Cause, Observation, Power, State
 from typer.testing import CliRunner
@@ -25,7 +25,7 @@ from lab.flight.recording import (
     cycle_layout,
     read_recording,
 )
-from lab.flight.replay import Supervisor, run_again
+from lab.flight.replay import Supervisor, compile_supervisor, run_again
 from lab.flight.table import times
 from lab.flight.words import words
 from model.machine import load_machine
@@ -76,7 +76,7 @@ def recording(dump: Path) -> Recording:
 @pytest.fixture(scope="module")
 def supervisor() -> Supervisor:
     """The stock machine's C."""
-    return Supervisor(STOCK, "double")
+    return Supervisor(library_file())
 
 
 def sealed(content: bytes) -> bytes:
@@ -187,7 +187,7 @@ def test_a_changed_constant_in_the_c_is_found(recording: Recording, tmp_path: Pa
             assert "#define TB_TENSION_MIN TB_C(3.0)" in text
             text = text.replace("TB_TENSION_MIN TB_C(3.0)", "TB_TENSION_MIN TB_C(3.0000001)")
         (tmp_path / path.name).write_text(text)
-    found = run_again(recording, Supervisor(tmp_path, "double"))
+    found = run_again(recording, compile_supervisor(tmp_path, "double"))
     assert found.difference is not None
     assert "torque" in found.difference.field
 
