@@ -12,7 +12,7 @@ from model.machine import Machine
 from model.symbolic import arguments
 from model.symbolic.active_set import Answer, Optimum
 from model.symbolic.composition import Composite
-from model.symbolic.facets import WEIGHED, Facet, FacetSweep, vector_product
+from model.symbolic.facets import WEIGHED, Facet, FacetSweep
 from model.symbolic.function import (
     EPSILON,
     Input,
@@ -26,7 +26,7 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import cross, dot, factorise, subtract, transpose
+from model.symbolic.linear import cross, dot, factorise, moment, none_between, subtract, transpose
 from model.symbolic.null_space import factored
 from model.symbolic.polytope import Line, knock_out
 from model.symbolic.rank import least_pivot
@@ -258,7 +258,7 @@ def solved(matrix: Matrix, right: Vector) -> tuple[Vector, Vector]:
             determinant
         ]
     if len(columns) == 3:
-        across = [vector_product(columns[i - 2], columns[i - 1]) for i in range(3)]
+        across = [moment(columns[i - 2], columns[i - 1]) for i in range(3)]
         determinant = dot(columns[0], across[0])
         return [dot(right, normal) / determinant for normal in across], [determinant]
     factors = factorise(matrix)
@@ -346,9 +346,7 @@ def adjacent(columns: Matrix, i: int, j: int) -> Scalar:
     def ahead(first: int, second: int) -> Scalar:
         return cross(columns[first], columns[second]) > PARALLEL * EPSILON
 
-    others = [k for k in range(len(columns)) if k not in (i, j)]
-    between = any_of([ca.logic_and(ahead(i, k), ahead(k, j)) for k in others])
-    return ca.logic_and(ahead(i, j), ca.logic_not(between))
+    return ca.logic_and(ahead(i, j), none_between(i, j, len(columns), ahead))
 
 
 def largest_tension(machine: Machine) -> Sweep:

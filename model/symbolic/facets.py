@@ -9,14 +9,14 @@ Moments count by the force at the platform's lever, see wrench_norm. In the plan
 normals are the cables' own, turned by a right angle: see wrench_set.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import casadi as ca
 
 from model.machine import Machine
 from model.symbolic.function import EPSILON, Input, Output, Verdict, matrix_output
-from model.symbolic.linear import add_scaled, dot, factorise, norm, transpose
+from model.symbolic.linear import add_scaled, dot, factorise, moment, norm, transpose
 from model.symbolic.rank import regular
 from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, any_of, total, where
 from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
@@ -72,7 +72,7 @@ def normal_of(edges: Matrix) -> tuple[Vector, Vector]:
         length = norm(edge)
         return [-edge[1] / length, edge[0] / length], [length]
     if len(edges) == 3:
-        across = vector_product(*columns)
+        across = moment(*columns)
         # of nearly parallel edges the product is not square to them: once more it is
         edge = columns[0]
         across = add_scaled(across, -dot(across, edge) / dot(edge, edge), edge)
@@ -80,11 +80,6 @@ def normal_of(edges: Matrix) -> tuple[Vector, Vector]:
         return [x / length for x in across], [length]
     factors = factorise(columns)
     return [row[0] for row in factors.null_space()], factors.pivots()
-
-
-def vector_product(a: Sequence[Scalar], b: Sequence[Scalar]) -> Vector:
-    """a x b in space."""
-    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
 
 
 def facet(matrix: Matrix, subset: Subset) -> Facet:

@@ -1,11 +1,11 @@
 """Small dense linear algebra on lists of scalars, unrolled for the sizes of a machine."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt, total
+from model.symbolic.scalar import Matrix, Scalar, Vector, any_of, sqrt, total
 
 
 def dot(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
@@ -34,6 +34,15 @@ def moment(arm: Sequence[Scalar], force: Sequence[Scalar]) -> Vector:
     if len(arm) == 2:
         return [cross(arm, force)]
     return multiply(cross_matrix(arm), force)
+
+
+def none_between(i: int, j: int, count: int, ahead: Callable[[int, int], Scalar]) -> Scalar:
+    """Whether none of the other vectors in the plane lies in the turn from vector i to vector j.
+
+    ahead(first, second): the second is counter-clockwise from the first, less than pi away.
+    """
+    others = [k for k in range(count) if k not in (i, j)]
+    return ca.logic_not(any_of([ca.logic_and(ahead(i, k), ahead(k, j)) for k in others]))
 
 
 def subtract(a: Sequence[Scalar], b: Sequence[Scalar]) -> Vector:

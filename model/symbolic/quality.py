@@ -25,7 +25,7 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import dot, factorise, transpose
+from model.symbolic.linear import dot, factorise, none_between, transpose
 from model.symbolic.null_space import factored
 from model.symbolic.rank import least_pivot, regular
 from model.symbolic.rest import from_neighbours
@@ -33,7 +33,6 @@ from model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,
-    any_of,
     largest,
     smallest,
     total,
@@ -320,12 +319,8 @@ def adjacent(rig: Rig, i: int, j: int) -> Scalar:
         crosses[i][j] > 0,
         ca.logic_and(crosses[i][j] >= 0, dot(rig.rays[i], rig.rays[j]) < 0),
     )
-    between = [
-        ca.logic_and(crosses[i][k] > 0, crosses[k][j] > 0)
-        for k in range(len(rig.rays))
-        if k not in (i, j)
-    ]
-    return ca.logic_and(ahead, ca.logic_not(any_of(between))) if between else ahead
+    alone = none_between(i, j, len(rig.rays), lambda first, second: crosses[first][second] > 0)
+    return ca.logic_and(ahead, alone)
 
 
 def parallelogram_radius(rig: Rig, margins: Vector, i: int, j: int) -> Scalar:

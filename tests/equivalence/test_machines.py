@@ -8,17 +8,17 @@ from codegen import accuracy, accuracy_cache
 from codegen.verify import verify
 
 MACHINES = sorted((Path(__file__).parents[1] / "machines").glob("*.toml"))
-POINTS = 400
+POINTS = 250
 
 
 @pytest.mark.parametrize("machine", MACHINES, ids=lambda path: path.stem)
 def test_the_c_of_another_machine_agrees_with_the_reference(
     machine: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    # a shorter search for the bounds of the headers, which must not be kept
+    # a shorter search finds lower bounds for the headers, if any; they must not be kept
     monkeypatch.setattr(accuracy_cache, "CACHE", tmp_path)
     monkeypatch.setattr(accuracy, "FIRST_POINTS", 1024)
-    monkeypatch.setattr(accuracy, "ROUND_POINTS", 512)
+    monkeypatch.setattr(accuracy, "ROUNDS", 0)
     monkeypatch.setattr(accuracy, "MOST_WORK", 4e6)
     report = verify(machine, points=POINTS, seed=5)
     assert report.passed, "\n".join(str(row) for row in report.failures())
