@@ -7,7 +7,7 @@
 #include "tb_kinematics.h"
 
 #define EXPLAINS TB_C(0.25) /* most that the culprit leaves of the closure error */
-#define FAILS TB_C(0.5)     /* least that every other cable leaves of it */
+#define FAILS TB_C(0.5)     /* least of it that a cable beyond suspicion leaves */
 
 /* A cable with less redundancy than this hardly shows in the closure: no delta is made of it. */
 #define LEAST_REDUNDANCY TB_C(0.01)
@@ -44,52 +44,61 @@ static tb_verdict find_runaway(const tb_watched *seen)
     return fine;
 }
 
-/* How well the best cable explains the closure error, alone, and the next best. */
+/* The cables whose fault, alone, could have opened the closure. */
 typedef struct {
-    size_t cable;
-    real_t best;   /* m^2, square of e that the best cable leaves */
-    real_t second; /* m^2, the same of the next best */
-    real_t whole;  /* m^2, square of e */
+    bool explained; /* one of them at least explains it */
+    bool slack;     /* one that is longer than the platform is far could be it */
+    bool broken;    /* one that was wound in without the platform could be it */
+    size_t culprit; /* of those that explain it, the one that moves most as its fault lets it */
+    real_t speed;   /* m/s, of the culprit that way */
 } tb_suspicion;
 
-static void suspect(tb_suspicion *suspicion, size_t cable, real_t left)
+static void suspect(tb_suspicion *suspicion, size_t cable, real_t slack, real_t length_rate)
 {
-    if (left < suspicion->best) {
-        suspicion->second = suspicion->best;
-        suspicion->best = left;
-        suspicion->cable = cable;
-    } else if (left < suspicion->second) {
-        suspicion->second = left;
-    } else {
-        /* others explain more */
+    real_t const speed = (slack > 0) ? length_rate : -length_rate;
+    if (!suspicion->explained || (speed > suspicion->speed)) {
+        suspicion->explained = true;
+        suspicion->culprit = cable;
+        suspicion->speed = speed;
     }
 }
 
-static tb_suspicion compare_cables(const tb_pose_space *space, const real_t error[],
-                                   real_t slack[])
+static real_t square_of(const real_t error[])
 {
-    real_t whole = 0;
+    real_t square = 0;
     for (size_t i = 0; i < TB_CABLES; i++) {
-        whole += error[i] * error[i];
+        square += error[i] * error[i];
     }
-    tb_suspicion suspicion = {0, whole, whole, whole};
+    return square;
+}
+
+static tb_suspicion compare_cables(const tb_pose_space *space, const tb_watched *seen,
+                                   const real_t error[], real_t slack[])
+{
+    tb_suspicion suspicion = {false, false, false, 0, 0};
+    real_t const whole = square_of(error);
     for (size_t i = 0; i < TB_CABLES; i++) {
         real_t left[TB_CABLES];
         tb_pose_space_unexplained(space, (uint32_t)i, left);
         slack[i] = (left[i] > LEAST_REDUNDANCY) ? (error[i] / left[i]) : TB_C(0.0);
-        suspect(&suspicion, i, whole - (slack[i] * error[i]));
+        real_t const rest = whole - (slack[i] * error[i]);
+        bool const possible = rest <= (FAILS * FAILS * whole);
+        suspicion.slack = suspicion.slack || (possible && (slack[i] > 0));
+        suspicion.broken = suspicion.broken || (possible && (slack[i] < 0));
+        if (rest <= (EXPLAINS * EXPLAINS * whole)) {
+            suspect(&suspicion, i, slack[i], seen->length_rates[i]);
+        }
     }
     return suspicion;
 }
 
-static tb_verdict accuse(const tb_suspicion *suspicion, const real_t slack[])
+/* Cables in one line explain the same error alike, and in the same way: one of them is slack, or one
+ * of them is broken, even where it is not told which. */
+static tb_verdict accuse(const tb_suspicion *suspicion)
 {
-    bool const explained = suspicion->best <= (EXPLAINS * EXPLAINS * suspicion->whole);
-    bool const alone = suspicion->second > (FAILS * FAILS * suspicion->whole);
-    tb_verdict verdict = {TB_CAUSE_CLOSURE, (uint16_t)suspicion->cable};
-    if (explained && alone) {
-        verdict.cause =
-            (slack[suspicion->cable] > 0) ? TB_CAUSE_CABLE_SLACK : TB_CAUSE_CABLE_BREAK;
+    tb_verdict verdict = {TB_CAUSE_CLOSURE, (uint16_t)suspicion->culprit};
+    if (suspicion->explained && (suspicion->slack != suspicion->broken)) {
+        verdict.cause = suspicion->slack ? TB_CAUSE_CABLE_SLACK : TB_CAUSE_CABLE_BREAK;
     }
     return verdict;
 }
@@ -109,14 +118,14 @@ static tb_verdict explain_closure(const tb_watched *seen, real_t slack[])
 {
     tb_pose_space space;
     real_t error[TB_CABLES];
-    tb_suspicion suspicion = {0, 0, 0, 0};
+    tb_suspicion suspicion = {false, false, false, 0, 0};
     if (find_error(seen, error) &&
         (tb_pose_space_find(&space, seen->pose, seen->rails) == TB_OK)) {
         real_t motion[TB_DOF];
         tb_pose_space_take(&space, error, motion);
-        suspicion = compare_cables(&space, error, slack);
+        suspicion = compare_cables(&space, seen, error, slack);
     }
-    return accuse(&suspicion, slack);
+    return accuse(&suspicion);
 }
 
 static tb_verdict find_opening(tb_watch *watch, const tb_watched *seen, real_t slack[])

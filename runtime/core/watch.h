@@ -7,10 +7,11 @@
  * cable is longer than the platform is far, slack. delta < 0: it was wound in without the platform,
  * broken.
  *
- * A cable is named only where it leaves at most a quarter of e and every other one more than half.
- * With one cable more than degrees of freedom all cables explain e alike, and so do opposite cables
- * that are in line, as those of bases that follow the hand: then the cause is TB_CAUSE_CLOSURE, and
- * `slack` tells what each cable would have to have done. */
+ * A cable is suspected where it leaves at most a quarter of e, and beyond suspicion where it leaves
+ * more than half. With one cable more than degrees of freedom all cables explain e alike, and so do
+ * opposite cables in one line, as those of bases that follow the hand: then all deltas have one sign,
+ * so that it is known whether a cable is slack or broken, and the one is named that moves most as its
+ * fault lets it. Where the signs differ, or nobody explains e, the cause is TB_CAUSE_CLOSURE. */
 #ifndef TB_WATCH_H
 #define TB_WATCH_H
 
@@ -30,7 +31,7 @@ typedef struct {
 /** What the watch found; TB_CAUSE_NONE for nothing. */
 typedef struct {
     tb_cause cause;   /* RUNAWAY, CABLE_SLACK, CABLE_BREAK, CLOSURE or BASE_LOST */
-    uint16_t culprit; /* cable or drive, from 0; of CLOSURE the likeliest cable */
+    uint16_t culprit; /* cable or drive, from 0; of CLOSURE it says nothing */
 } tb_verdict;
 
 /** What it looks at. */
