@@ -188,7 +188,7 @@ def test_one_redundant_cable_shows_the_fault_and_motion_shows_the_cable(name: st
                 right = SLACK if delta > 0 else BREAK
                 watch.call("tb_watch_start")
                 verdict = watch.look_on(lengths, rails, fitted, residual)
-                if verdict.slack.min() < 0 < verdict.slack.max():  # no cables pull against each other
+                if verdict.slack.min() < 0 < verdict.slack.max():  # not all pull against each other
                     assert verdict.cause == CLOSED
                     continue
                 assert verdict.cause == right
