@@ -40,6 +40,8 @@ BLOCK = 2500
 SAMPLERS: tuple[type[Sampler], ...] = (Sampler, HardSampler)
 #: One broken argument in so many points, and the fewest of them.
 BROKEN_SHARE, FEWEST_BROKEN = 16, 64
+#: Fewer points than this that are given up say nothing about how many would be.
+FEW_GIVEN_UP = 4
 #: Cycles and motions of the recordings that the disturbance observer is judged by.
 CYCLES, MOTIONS = 300, 8
 #: Beyond this many times its bound an argument must be refused.
@@ -320,6 +322,9 @@ class Trial:
         usable = right & (status <= Status.INFEASIBLE)
         wrong = np.flatnonzero(~right)
         first = _told(status, wanted.allowed, wrong)
+        given_up = int(np.sum(right & (status == Status.INACCURATE)))
+        too_many = given_up > max(FEW_GIVEN_UP, wanted.gives_up * len(status))
+        first = first or (f"{given_up} points of {len(status)} are given up" if too_many else "")
         rows = []
         for port in called.outputs:
             value, reference = answer[port.name], wanted.values[port.name]
@@ -327,7 +332,7 @@ class Trial:
             row = self.row(called.name, port.name, value, reference, tolerance, usable)
             fallback = next(o.fallback for o in function.outputs if o.name == port.name)
             stray = np.any(_flat(value)[status > Status.INFEASIBLE] != self.real(fallback), axis=1)
-            disagreements = len(wrong) + int(np.sum(stray))
+            disagreements = len(wrong) + int(np.sum(stray)) + given_up * too_many
             rows.append(
                 Row(*row, disagreements, first or ("stray fallback" if stray.any() else ""))
             )

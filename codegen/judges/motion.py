@@ -7,6 +7,7 @@ import numpy as np
 
 from codegen.judges.conditioning import least_pivot, smallest_singular_value
 from codegen.judges.problem import (
+    GIVES_UP,
     ROUNDINGS,
     Bools,
     Expected,
@@ -258,7 +259,8 @@ def forward_kinematics(p: Problem) -> Expected:
     allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
     slack = np.where(at.doubtful, np.inf, at.slack)
     values = {"pose": at.found.pose, "residual": at.found.residual}
-    return expected(p, values, {"pose": per_twist(p, slack), "residual": 2 * slack}, allowed)
+    tolerance: dict[str, Wide | float] = {"pose": per_twist(p, slack), "residual": 2 * slack}
+    return replace(expected(p, values, tolerance, allowed), gives_up=GIVES_UP)
 
 
 def locate(p: Problem) -> Expected:
@@ -287,7 +289,8 @@ def locate(p: Problem) -> Expected:
     }
     faults = fix_faults(p, at, union(at.lost, flat(p, at.rows, off)))
     allowed = statuses(p.count, {Status.OK: always(p.count)}, faults)
-    return replace(expected(p, values, tolerance, allowed), beside_header=False)
+    answer = expected(p, values, tolerance, allowed)
+    return replace(answer, beside_header=False, gives_up=GIVES_UP)
 
 
 def arm_share(p: Problem) -> float:

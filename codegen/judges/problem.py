@@ -14,6 +14,8 @@ from model.symbolic.function import Status
 Bools = NDArray[np.bool_]
 Wide: TypeAlias = Array
 
+#: Where a search may fail, it may at one point in a hundred; the worst measured is one in 800.
+GIVES_UP = 0.01
 #: Units in the last place that a short chain of operations may lose, before conditioning.
 ROUNDINGS = 64.0
 
@@ -54,13 +56,15 @@ class Problem:
 class Expected:
     """Values by output; tolerance of each at every point; which statuses are right (count, 5).
 
-    `beside_header`: whether the header's bound is added to the tolerance.
+    `beside_header`: whether the header's bound is added to the tolerance. `gives_up`: the share of
+    points that may be reported as inaccurate where that is allowed.
     """
 
     values: dict[str, Wide]
     tolerance: dict[str, Wide]
     allowed: Bools
     beside_header: bool = True
+    gives_up: float = 1.0
 
     def corrected(self, rows: NDArray[np.intp], closer: "Expected") -> "Expected":
         """What a closer look at some of the points expects there."""

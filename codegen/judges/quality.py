@@ -1,11 +1,13 @@
 """What is expected of the measures of a pose."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
 from codegen.judges.motion import direction_gain, touching
 from codegen.judges.problem import (
+    GIVES_UP,
     ROUNDINGS,
     Bools,
     Expected,
@@ -114,8 +116,9 @@ def pose_quality(p: Problem) -> Expected:
         answer.values.update(part.values)
         answer.tolerance.update(part.tolerance)
     if p.machine.redundancy > UNROLLED_REDUNDANCY:
-        # beyond the guesses there is no exact solve: one pose in ten thousand may be given up
+        # beyond the guesses there is no exact solve: some pose may be given up
         answer.allowed[:, Status.INACCURATE] = True
+        answer = replace(answer, gives_up=GIVES_UP)
     if p.machine.tension.min == 0:
         answer.values["factor"] = np.zeros_like(margin)
     return answer
