@@ -85,8 +85,8 @@ def watch(telemetry: Telemetry, machine: Machine | None, console: Console) -> No
 
 
 def picture(telemetry: Telemetry, reading: Reading, machine: Machine | None) -> RenderableType:
-    """The view, and below it the keys."""
-    return Group(show(telemetry, reading, machine), Text(HELP, style="dim"))
+    """The keys, and below them the view, of which a small terminal shows the beginning."""
+    return Group(Text(HELP, style="dim"), show(telemetry, reading, machine))
 
 
 class Keys:

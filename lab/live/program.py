@@ -16,13 +16,12 @@ def build_program(machine: Machine, precision: str = "double") -> Path:
 
     Raises LiveError for a machine without buses, CompileError without a working C compiler.
     """
-    folder = generate_into_build(machine)
-    if not (folder / "tb_drives.c").exists():
+    if not machine.buses:
         raise LiveError(
             f"{machine.path}: bus: found none; allowed: at least one [[bus]] and a [[drive]] for"
             " every cable and rail, to run the machine"
         )
-    return compile_machine(folder, precision)
+    return compile_machine(generate_into_build(machine), precision)
 
 
 def compile_machine(folder: Path, precision: str = "double") -> Path:

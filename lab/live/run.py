@@ -105,6 +105,7 @@ def finish(process: "subprocess.Popen[bytes]") -> None:
 
 def follow(process: "subprocess.Popen[bytes]", path: Path, say: Say) -> int:
     """Tell states as they change until the program ends; its exit status."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     teller = Teller(process.pid, path, say)
     while (status := process.poll()) is None:
         try:

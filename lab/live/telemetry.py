@@ -257,6 +257,10 @@ class Telemetry:
         self._permitted()
         self._inbox[request] += 1
 
+    def asked(self, request: Request) -> int:
+        """How often something was asked for."""
+        return int(self._inbox[request][0])
+
     def push_force(self, force: ArrayLike) -> None:
         """The force [N] that the application wants; it counts for 20 cycles."""
         self._push("force", force)
