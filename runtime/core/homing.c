@@ -8,11 +8,6 @@
 #define TIGHT_SPEED (TB_CABLE_SPEED_LIMIT * TB_C(0.01))
 #define TIGHT_CYCLES 100u
 
-static tb_drive_range base_of(const tb_supervisor *supervisor)
-{
-    return (tb_drive_range){supervisor->base, (size_t)supervisor->base + 1};
-}
-
 void tb_begin_home(tb_supervisor *supervisor)
 {
     tb_guide_start(&supervisor->guide);
@@ -22,6 +17,18 @@ void tb_begin_home(tb_supervisor *supervisor)
     tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_CABLE_MODE);
 }
 
+/* First of some drives that has not done its task; call it when there is one. */
+static size_t first_undone(const tb_supervisor *supervisor, const tb_observation *seen,
+                           tb_drive_range drives)
+{
+    size_t drive = drives.first;
+    while ((drive + 1 < drives.end) &&
+           tb_have_done(supervisor, seen, (tb_drive_range){drive, drive + 1})) {
+        drive++;
+    }
+    return drive;
+}
+
 /* A switch of modes by some drives: why it failed, else whether all have switched. */
 static tb_blame await_mode(const tb_supervisor *supervisor, const tb_observation *seen,
                            tb_drive_range drives, bool *switched)
@@ -29,8 +36,8 @@ static tb_blame await_mode(const tb_supervisor *supervisor, const tb_observation
     *switched = tb_have_done(supervisor, seen, drives);
     tb_blame const blame = tb_find_failed_task(supervisor, seen, drives);
     if ((blame.cause == TB_CAUSE_NONE) && !*switched && (supervisor->cycles > TB_STATE_TIMEOUT)) {
-        return tb_blame_for(TB_CAUSE_DRIVE_STUCK, drives.first,
-                            seen->drives[drives.first].statusword);
+        size_t const stuck = first_undone(supervisor, seen, drives);
+        return tb_blame_for(TB_CAUSE_DRIVE_STUCK, stuck, seen->drives[stuck].statusword);
     }
     return blame;
 }
@@ -73,16 +80,12 @@ static tb_blame power_cables(tb_supervisor *supervisor, const tb_observation *se
     return blame;
 }
 
-/* The next base to its homing; after the last one the sweep. */
-static void go_on_with(tb_supervisor *supervisor, uint16_t base)
+static void begin_bases(tb_supervisor *supervisor)
 {
-    supervisor->base = base;
-    if (base < TB_DRIVES) {
-        tb_order_mode(supervisor, base, TB_MODE_HOMING);
-        tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_MODE);
-    } else {
-        tb_begin_sweep(supervisor);
+    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+        tb_order_mode(supervisor, i, TB_MODE_HOMING);
     }
+    tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_MODE);
 }
 
 /* The cable that winds in fastest. */
@@ -108,8 +111,10 @@ static tb_blame tighten(tb_supervisor *supervisor)
         tight = tight && (TB_ABS(speed) < TIGHT_SPEED);
     }
     supervisor->calm = tight ? (supervisor->calm + 1) : 0;
-    if (supervisor->calm >= TIGHT_CYCLES) {
-        go_on_with(supervisor, TB_CABLES);
+    if ((supervisor->calm >= TIGHT_CYCLES) && (TB_RAILS > 0)) {
+        begin_bases(supervisor);
+    } else if (supervisor->calm >= TIGHT_CYCLES) {
+        tb_begin_sweep(supervisor);
     } else if (supervisor->cycles > TB_STATE_TIMEOUT) {
         return tb_blame_for(TB_CAUSE_CABLE_SLACK, fastest(supervisor), 0);
     }
@@ -119,9 +124,9 @@ static tb_blame tighten(tb_supervisor *supervisor)
 static tb_blame switch_to_homing(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool switched;
-    tb_blame const blame = await_mode(supervisor, seen, base_of(supervisor), &switched);
+    tb_blame const blame = await_mode(supervisor, seen, tb_base_drives, &switched);
     if (switched) {
-        power_on(supervisor, base_of(supervisor), TB_PHASE_BASE_POWER);
+        power_on(supervisor, tb_base_drives, TB_PHASE_BASE_POWER);
     }
     return blame;
 }
@@ -129,41 +134,61 @@ static tb_blame switch_to_homing(tb_supervisor *supervisor, const tb_observation
 static tb_blame power_homing(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, base_of(supervisor), &reached);
+    tb_blame const blame = await_power(supervisor, seen, tb_base_drives, &reached);
     if (reached) {
-        supervisor->ran = 0;
-        tb_order_homing(supervisor, supervisor->base, true);
+        for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+            supervisor->drives[i].ran = 0;
+            tb_order_homing(supervisor, i, true);
+        }
         tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_HOMING);
     }
     return blame;
 }
 
-/* Until the drive was seen running, it may show how its last homing ended. */
+/* How a base's homing is. Until the drive was seen running, it may show how its last one ended. */
+static tb_homing follow_homing(tb_drive_memory *base, const tb_drive_report *report)
+{
+    base->ran = ((base->ran != 0) || (report->homing == TB_HOMING_RUNNING)) ? 1 : 0;
+    return (base->ran != 0) ? (tb_homing)report->homing : TB_HOMING_RUNNING;
+}
+
+static void release_bases(tb_supervisor *supervisor)
+{
+    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+        tb_order_homing(supervisor, i, false);
+    }
+    tb_order_goal(supervisor, tb_base_drives, TB_GOAL_OFF);
+    tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_RELEASE);
+}
+
+/* A base that has found its stop holds there until all have. */
 static tb_blame run_homing(tb_supervisor *supervisor, const tb_observation *seen)
 {
-    const tb_drive_report *const report = &seen->drives[supervisor->base];
-    if (report->homing == TB_HOMING_RUNNING) {
-        supervisor->ran = 1;
+    bool homed = true;
+    bool const late = supervisor->cycles > TB_HOMING_TIMEOUT;
+    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+        const tb_drive_report *const report = &seen->drives[i];
+        tb_homing const homing = follow_homing(&supervisor->drives[i], report);
+        if ((homing != TB_HOMING_DONE) && (late || (homing != TB_HOMING_RUNNING))) {
+            return tb_blame_for(TB_CAUSE_HOMING, i, report->statusword);
+        }
+        homed = homed && (homing == TB_HOMING_DONE);
     }
-    bool const ran = supervisor->ran != 0;
-    if (ran && (report->homing == TB_HOMING_DONE)) {
-        tb_order_homing(supervisor, supervisor->base, false);
-        tb_order_goal(supervisor, base_of(supervisor), TB_GOAL_OFF);
-        tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_RELEASE);
-    } else if ((ran && (report->homing != TB_HOMING_RUNNING)) ||
-               (supervisor->cycles > TB_HOMING_TIMEOUT)) {
-        return tb_blame_for(TB_CAUSE_HOMING, supervisor->base, report->statusword);
+    if (homed) {
+        release_bases(supervisor);
     }
     return tb_no_blame();
 }
 
-static tb_blame release_base(tb_supervisor *supervisor, const tb_observation *seen)
+static tb_blame await_release(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, base_of(supervisor), &reached);
+    tb_blame const blame = await_power(supervisor, seen, tb_base_drives, &reached);
     if (reached) {
-        tb_measurement_forget(&supervisor->measurement, supervisor->base);
-        tb_order_mode(supervisor, supervisor->base, tb_working_mode(supervisor->base));
+        for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+            tb_measurement_forget(&supervisor->measurement, i);
+            tb_order_mode(supervisor, i, tb_working_mode(i));
+        }
         tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_WORK_MODE);
     }
     return blame;
@@ -172,9 +197,9 @@ static tb_blame release_base(tb_supervisor *supervisor, const tb_observation *se
 static tb_blame switch_to_work(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool switched;
-    tb_blame const blame = await_mode(supervisor, seen, base_of(supervisor), &switched);
+    tb_blame const blame = await_mode(supervisor, seen, tb_base_drives, &switched);
     if (switched) {
-        power_on(supervisor, base_of(supervisor), TB_PHASE_BASE_WORK_POWER);
+        power_on(supervisor, tb_base_drives, TB_PHASE_BASE_WORK_POWER);
     }
     return blame;
 }
@@ -182,17 +207,18 @@ static tb_blame switch_to_work(tb_supervisor *supervisor, const tb_observation *
 static tb_blame power_work(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, base_of(supervisor), &reached);
+    tb_blame const blame = await_power(supervisor, seen, tb_base_drives, &reached);
     if (reached) {
-        uint16_t const base = supervisor->base;
-        tb_guide_take(&supervisor->guide, (size_t)base - TB_CABLES,
-                      tb_measured_position(&supervisor->measurement, base));
-        go_on_with(supervisor, (uint16_t)(base + 1));
+        for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+            tb_guide_take(&supervisor->guide, i - TB_CABLES,
+                          tb_measured_position(&supervisor->measurement, i));
+        }
+        tb_begin_sweep(supervisor);
     }
     return blame;
 }
 
-static tb_blame home_base(tb_supervisor *supervisor, const tb_observation *seen)
+static tb_blame home_bases(tb_supervisor *supervisor, const tb_observation *seen)
 {
     switch (supervisor->phase) {
     case TB_PHASE_BASE_MODE:
@@ -202,7 +228,7 @@ static tb_blame home_base(tb_supervisor *supervisor, const tb_observation *seen)
     case TB_PHASE_BASE_HOMING:
         return run_homing(supervisor, seen);
     case TB_PHASE_BASE_RELEASE:
-        return release_base(supervisor, seen);
+        return await_release(supervisor, seen);
     case TB_PHASE_BASE_WORK_MODE:
         return switch_to_work(supervisor, seen);
     default:
@@ -225,8 +251,6 @@ tb_blame tb_home(tb_supervisor *supervisor, const tb_observation *seen)
         return tb_sweep(supervisor, seen);
     default:
         tb_hold_cables(supervisor);
-        tb_blame const lost = tb_hold_bases(supervisor);
-        tb_blame const blame = home_base(supervisor, seen);
-        return (lost.cause == TB_CAUSE_NONE) ? blame : lost;
+        return home_bases(supervisor, seen);
     }
 }

@@ -3,7 +3,8 @@
  *   INIT        reset the drives' communication; every drive of the machine file must answer
  *   IDENTIFY    identity, ratings: as the machine file says
  *   CONFIGURE   write and read back every drive's contract; then wait for TB_REQUEST_ARM, no torque
- *   HOME        cables at T_min; bases to their mechanical stop, one after the other (Yoon III-E);
+ *   HOME        cables at T_min; bases to their mechanical stops, all at once (Yoon III-E), so that
+ *               no base without torque is pulled away while another one homes;
  *               then the cables' zero: calibration.h
  *   TENSION     controller on, forces of the application off; closure must hold
  *   RUN         forces of walls and application
@@ -53,12 +54,12 @@ typedef enum {
     TB_PHASE_CABLE_MODE,   /* cable drives to torque mode */
     TB_PHASE_CABLE_POWER,
     TB_PHASE_TIGHTEN,      /* slack is wound in, to T_min */
-    TB_PHASE_BASE_MODE,    /* one base after the other, from here ... */
+    TB_PHASE_BASE_MODE,    /* base drives to homing mode */
     TB_PHASE_BASE_POWER,
-    TB_PHASE_BASE_HOMING,  /* runs to its mechanical stop */
+    TB_PHASE_BASE_HOMING,  /* bases run to their mechanical stops */
     TB_PHASE_BASE_RELEASE,
     TB_PHASE_BASE_WORK_MODE,
-    TB_PHASE_BASE_WORK_POWER, /* ... to here */
+    TB_PHASE_BASE_WORK_POWER,
     TB_PHASE_GATHER,       /* bases to where their sweep begins */
     TB_PHASE_SWEEP,        /* bases and tensions sweep; without rails: move the handle around */
     TB_PHASE_SOLVE,        /* computing the cables' zeros */

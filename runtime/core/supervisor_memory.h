@@ -15,6 +15,7 @@ typedef struct {
     uint8_t online;        /* 1 from its first status message in service: now it is judged */
     uint8_t patience;      /* cycles until its report can show the ordered power state */
     uint8_t reached;       /* 1 once it was in the ordered power state */
+    uint8_t ran;           /* 1 once its homing was seen running */
 } tb_drive_memory;
 
 struct tb_supervisor {
@@ -22,12 +23,10 @@ struct tb_supervisor {
     uint8_t complement; /* its complement, to find damage */
     uint8_t phase;      /* tb_phase */
     uint8_t damaged;    /* 1 once damage was found: no heartbeat until the reset */
-    uint16_t base;      /* HOME: the drive that is homed */
     uint32_t cycles;    /* in this phase, from 1 */
     uint32_t calm;      /* cycles in a row in which all was as the phase wants it */
     uint32_t failed;    /* controller steps failed in a row */
     uint32_t requests;  /* of the last cycle */
-    uint32_t ran;       /* 1 when the homing of this phase was seen running */
     tb_blame first;
     tb_drive_memory drives[TB_DRIVES];
     uint16_t corrupt[TB_BUSES]; /* faults.c */

@@ -329,6 +329,7 @@ WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
     ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
     ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, STATE_TIMEOUT),
     ("HOME BASE_POWER", first_base(homing=0), "HOMING", 4, int(NUMBERS["TB_HOMING_TIMEOUT"])),
+    ("HOME BASE_MODE", last_base(progress=1), "DRIVE_STUCK", DRIVES - 1, STATE_TIMEOUT),
 ]
 
 
@@ -513,20 +514,17 @@ def test_a_drive_that_leaves_its_mode_stops_the_machine(at: At) -> None:
     assert told(machine) == ("HARD_STOP", "DRIVE_STATE")
 
 
-def test_a_homed_base_that_is_pushed_away_while_another_one_homes_is_lost(
-    at: At,
-) -> None:
-    machine = at("HOME BASE_WORK_POWER")
-    machine.until(State.HOME, Phase.BASE_HOMING)
-    pushed = itertools.count()
+def test_bases_home_together_and_each_waits_for_the_last(at: At) -> None:
+    machine = at("HOME BASE_HOMING")
 
-    def push(seen: Observation) -> None:
-        away = min(1e-3 * next(pushed), 0.1)
-        machine.rails[0], machine.rates[0], seen.drives[CABLES].position = away, 0.0, away
+    def slow(seen: Observation) -> None:
+        seen.drives[DRIVES - 1].homing = Homing.RUNNING
 
-    machine.run(400, lambda orders: orders.cause != Cause.NONE, push)
-    assert told(machine) == ("SOFT_STOP", "BASE_LOST")
-    assert machine.orders.culprit == CABLES
+    machine.run(3000, spoil=slow)
+    assert machine.orders.phase == Phase.BASE_HOMING
+    assert {machine.orders.drives[i].home for i in BASES} == {1}
+    machine.until(State.HOME, Phase.BASE_RELEASE)
+    assert {machine.orders.drives[i].home for i in BASES} == {0}
 
 
 def test_missed_answers_are_bridged_up_to_the_limit(at: At) -> None:
