@@ -143,6 +143,10 @@ void tb_network_sync(tb_network *network)
 
 /* ---- Collect ---- */
 
+_Static_assert((TB_BUS_LOST == TB_CAN_BUS_OFF) && (TB_BUS_LOST < TB_CAN_NOT_OPEN) &&
+                   (TB_BUS_LOST > TB_CAN_ERROR_PASSIVE),
+               "the supervisor knows in which states a bus carries no frames");
+
 static void report_bus(tb_bus *bus, tb_bus_report *report)
 {
     report->state = (uint8_t)tb_can_port_state(bus->port);
