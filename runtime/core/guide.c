@@ -10,18 +10,13 @@ void tb_guide_start(tb_guide *guide)
 }
 
 /* Rows of the memory of tb_base_pid: integral, previous rail coordinate, speed. */
-static void rest_at(tb_guide *guide, size_t rail, real_t position)
+void tb_guide_take(tb_guide *guide, size_t rail, real_t position)
 {
     real_t *const row = &guide->base[rail * TB_BASE_MEMORY];
     row[0] = 0;
     row[1] = position;
     row[2] = 0;
     guide->reference[rail] = position;
-}
-
-void tb_guide_take(tb_guide *guide, size_t rail, real_t position)
-{
-    rest_at(guide, rail, position);
     guide->lagging[rail] = 0;
     guide->guided[rail] = 1;
 }
@@ -42,12 +37,8 @@ static void move_references(tb_guide *guide, const real_t rails[], const real_t 
                             real_t speed)
 {
     for (size_t i = 0; i < TB_RAIL_SLOTS; i++) {
-        if (guide->guided[i] != 0) {
-            move_reference(&guide->reference[i], targets[i], speed * TB_PERIOD);
-            count_lag(guide, i, rails[i]);
-        } else {
-            rest_at(guide, i, rails[i]);
-        }
+        move_reference(&guide->reference[i], targets[i], speed * TB_PERIOD);
+        count_lag(guide, i, rails[i]);
     }
 }
 
@@ -57,7 +48,7 @@ static void follow_references(tb_guide *guide, const real_t rails[], real_t torq
 {
     (void)tb_base_pid(guide->base, guide->reference, rails, guide->base, torque);
     for (size_t i = 0; i < TB_RAILS; i++) {
-        torque[i] = (guide->guided[i] != 0) ? (TB_PINION_RADIUS * torque[i]) : TB_C(0.0);
+        torque[i] *= TB_PINION_RADIUS;
     }
 }
 

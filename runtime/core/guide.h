@@ -1,7 +1,7 @@
 /* Guide: moves bases along references of its own, while no controller does.
  *
- * A base that is guided has a reference, which goes to its target no faster than it is told to; a
- * torque drive follows it by the machine's tb_base_pid, a position drive by itself. */
+ * Every base has a reference, which goes to its target no faster than it is told to; a torque drive
+ * follows it by the machine's tb_base_pid, a position drive by itself. */
 #ifndef TB_GUIDE_H
 #define TB_GUIDE_H
 
@@ -25,8 +25,8 @@ void tb_guide_start(tb_guide *guide);
 /** From now on guide a base, which is at `position` [m] and rests. */
 void tb_guide_take(tb_guide *guide, size_t rail, real_t position);
 
-/** One cycle. rails, targets [m] (TB_RAIL_SLOTS); speed [m/s]: largest of the references.
- *  torque [N m] (TB_RAIL_SLOTS): 0 for a base that is not guided. */
+/** One cycle of all bases, once each is guided. rails, targets [m] (TB_RAIL_SLOTS); speed [m/s]:
+ *  largest of the references. torque [N m] (TB_RAIL_SLOTS). */
 void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
                    const real_t targets[TB_RAIL_SLOTS], real_t speed,
                    real_t torque[TB_RAIL_SLOTS]);
