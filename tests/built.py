@@ -1,5 +1,6 @@
 """Functions outside a machine's model, printed, compiled and loaded like the model's own."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,11 +25,16 @@ class OnlyItems(Model):
         return {}
 
 
-def built(machine: Machine, items: list[Item], precision: str) -> Generated:
-    """The C of some functions, without a measured accuracy."""
+def printed(machine: Machine, items: list[Item]) -> Path:
+    """The folder of the C of some functions, without a measured accuracy."""
     model = OnlyItems(machine, {"tension": items})
     files = render(model, {item.function.name: Accuracy() for item in items})
-    return Generated(machine, folder_of(machine, files), precision)
+    return folder_of(machine, files)
+
+
+def built(machine: Machine, items: list[Item], precision: str) -> Generated:
+    """The same in one precision."""
+    return Generated(machine, printed(machine, items), precision)
 
 
 def answered(item: Item, generated: Generated, arguments: list[NDArray[Any]]) -> None:

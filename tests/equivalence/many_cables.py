@@ -6,10 +6,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.accuracy import Accuracy
-from codegen.bind import Generated, folder_of
 from codegen.composite import Item
-from codegen.generate import Model, composed, render
+from codegen.generate import composed
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.kind import KINDS
@@ -84,20 +82,6 @@ def many_cables(folder: Path, kind: str, count: int, low: float) -> Machine:
     path = folder / "many.toml"
     path.write_text(text)
     return load_machine(path)
-
-
-class OneTopic(Model):
-    """The functions of one topic, which no other name stands for."""
-
-    def aliases(self) -> dict[str, str]:
-        return {}
-
-
-def built(machine: Machine, items: list[Item], precision: str) -> Generated:
-    """The C of some functions, without a measured accuracy."""
-    model = OneTopic(machine, {"tension": items})
-    files = render(model, {item.function.name: Accuracy() for item in items})
-    return Generated(machine, folder_of(machine, files), precision)
 
 
 def tension_items(machine: Machine) -> list[Item]:

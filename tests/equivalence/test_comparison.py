@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import quadprog
-from built import answered, built
+from built import answered, built, printed
 from kinds import Array, machine_of, structures, weighed
 from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
@@ -56,8 +56,18 @@ def machine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 
 
 @pytest.fixture(scope="module")
-def generated(machine: Machine) -> Generated:
-    return built(machine, items(machine), "double")
+def made(machine: Machine) -> list[Item]:
+    return items(machine)
+
+
+@pytest.fixture(scope="module")
+def folder(machine: Machine, made: list[Item]) -> Path:
+    return printed(machine, made)
+
+
+@pytest.fixture(scope="module")
+def generated(machine: Machine, folder: Path) -> Generated:
+    return Generated(machine, folder, "double")
 
 
 def problems(machine: Machine, seed: int = 1) -> tuple[Array, Array]:
@@ -75,11 +85,12 @@ def problems(machine: Machine, seed: int = 1) -> tuple[Array, Array]:
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-def test_the_c_is_the_evaluation_to_the_bit(machine: Machine, precision: str) -> None:
+def test_the_c_is_the_evaluation_to_the_bit(
+    machine: Machine, made: list[Item], folder: Path, precision: str
+) -> None:
     given, wrench = problems(machine)
     force = np.linspace(0.1, 20.0, len(given))
-    made = items(machine)
-    library = built(machine, made, precision)
+    library = Generated(machine, folder, precision)
     for item in made:
         by_name = {"structure": given, "wrench": wrench, "force": force}
         answered(item, library, [by_name[port.name] for port in item.function.inputs])
@@ -253,13 +264,13 @@ def test_the_second_largest_maximum_of_equation_17_is_not_exact(tmp_path: Path) 
     square = machine_of("planar-point", 4, tmp_path, low=0.0)
     generated = built(square, items(square), "double")
     corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
-    for place, exact, printed in (((0.8, 0.1), 2.5769, 2.5769), ((0.5, 0.501), 1.1189312, 749.0)):
+    for place, exact, published in (((0.8, 0.1), 2.5769, 2.5769), ((0.5, 0.501), 1.1189312, 749.0)):
         arms = corners - np.array(place)
         matrix = (arms / np.linalg.norm(arms, axis=1, keepdims=True)).T
         assert generated.largest_tension(matrix, 1.0) == pytest.approx(exact, rel=1e-4)
         adjacent = np.max(generated.largest_tensions_eq17(matrix, 1.0))
         assert adjacent == pytest.approx(exact, rel=1e-4)
-        assert np.max(generated.largest_tensions_eq12(matrix, 1.0)) > 0.999 * printed
+        assert np.max(generated.largest_tensions_eq12(matrix, 1.0)) > 0.999 * published
 
 
 def test_bounds_below_are_not_bounds_above(machine: Machine, generated: Generated) -> None:
