@@ -16,7 +16,7 @@ from lab.live import LiveError
 
 FOLDER = Path("/dev/shm")
 MAGIC, VERSION = b"TBTELEM\0", 1
-NAME, TEXT = 32, 160
+NAME, TEXT = 32, 320
 ATTEMPTS = 10_000
 """How often a copy is tried again that was written meanwhile; one writing takes about 1 us."""
 

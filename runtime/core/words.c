@@ -97,6 +97,35 @@ static const char *const culprits[] = {
     [TB_CAUSE_MEMORY] = "",
 };
 
+static const char *const advice[] = {
+    [TB_CAUSE_NONE] = "",
+    [TB_CAUSE_REQUESTED] = "",
+    [TB_CAUSE_DRIVE_MISSING] = "check power, cable, terminators, node number and bit rate",
+    [TB_CAUSE_DRIVE_DIFFERENT] = "correct the machine file, or change the drive",
+    [TB_CAUSE_DRIVE_SETUP] = "correct the machine file, or reset the drive's parameters",
+    [TB_CAUSE_DRIVE_TWICE] = "give one of them another number",
+    [TB_CAUSE_STRANGER] = "take it off the bus, or put it into the machine file",
+    [TB_CAUSE_DRIVE_SILENT] = "check its power and its cable",
+    [TB_CAUSE_DRIVE_LATE] = "check the bus load and the adapter",
+    [TB_CAUSE_DRIVE_FAULT] = "clear what its manual names, then reset",
+    [TB_CAUSE_DRIVE_STATE] = "check safe torque off and the supply",
+    [TB_CAUSE_DRIVE_STUCK] = "check safe torque off and the supply",
+    [TB_CAUSE_BUS_OFF] = "check cable, terminators, bit rate and adapter",
+    [TB_CAUSE_BUS_FULL] = "check that the drives have power",
+    [TB_CAUSE_BUS_CORRUPT] = "look for another program on the bus",
+    [TB_CAUSE_CYCLES_MISSED] = "give it real-time priority, and the computer less to do",
+    [TB_CAUSE_HOMING] = "check threshold current, direction, and what blocks the carriage",
+    [TB_CAUSE_CALIBRATION] = "let the handle go with the cables, or move it around if no base moves",
+    [TB_CAUSE_ENCODER_JUMP] = "check the encoder and its cable",
+    [TB_CAUSE_CABLE_SLACK] = "see that it is hooked in, on its pulley, and wound well",
+    [TB_CAUSE_CABLE_BREAK] = "replace it",
+    [TB_CAUSE_RUNAWAY] = "look for a broken cable",
+    [TB_CAUSE_CLOSURE] = "compare pulleys, rails and anchors with the machine file",
+    [TB_CAUSE_BASE_LOST] = "look what blocks the carriage",
+    [TB_CAUSE_CONTROLLER] = "look for a force that is no number",
+    [TB_CAUSE_MEMORY] = "report it: computer or program are at fault",
+};
+
 #define COUNT(texts) (sizeof(texts) / sizeof((texts)[0]))
 
 static const char *text(const char *const texts[], size_t count, size_t number)
@@ -122,4 +151,9 @@ const char *tb_cause_text(tb_cause cause)
 const char *tb_culprit_text(tb_cause cause)
 {
     return text(culprits, COUNT(culprits), (size_t)cause);
+}
+
+const char *tb_advice_text(tb_cause cause)
+{
+    return text(advice, COUNT(advice), (size_t)cause);
 }

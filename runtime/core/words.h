@@ -16,4 +16,7 @@ const char *tb_cause_text(tb_cause cause);
 /** What the number of a cause's culprit counts: "drive", "cable", "bus" or "". */
 const char *tb_culprit_text(tb_cause cause);
 
+/** What the user can do about it; empty where there is nothing to do. */
+const char *tb_advice_text(tb_cause cause);
+
 #endif

@@ -25,7 +25,7 @@ def test_every_number_has_words_of_its_own(name: str) -> None:
     assert len(set(texts)) == len(texts)
 
 
-@pytest.mark.parametrize("name", [*WORDS, "culprit"])
+@pytest.mark.parametrize("name", [*WORDS, "culprit", "advice"])
 def test_a_number_that_is_none_is_unknown(name: str) -> None:
     assert text(name, 99) == "unknown"
 
@@ -34,3 +34,8 @@ def test_the_culprit_is_named_as_in_the_document() -> None:
     named = {row.cause: row.culprit for row in rows()}
     for cause in supervised.Cause:
         assert text("culprit", cause) == named.get(cause.name, "")
+
+
+def test_there_is_advice_for_every_cause_but_a_stop_that_was_asked_for() -> None:
+    silent = {cause.name for cause in supervised.Cause if not text("advice", cause)}
+    assert silent == {"NONE", "REQUESTED"}

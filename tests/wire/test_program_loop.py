@@ -83,7 +83,10 @@ def test_without_drives_the_program_says_which_one_is_missing(program: Path, lin
     with running(program, [*lines.options, "--arm"]) as run:
         run.await_state(FAULT)
         cause = run.telemetry.status()["cause"].decode()
-        assert re.fullmatch(r"drive \w+: did not boot, or does not answer", cause)
+        assert re.fullmatch(
+            r"drive \w+ \(bus \w+, node \d\): did not boot, or does not answer; check power, .*",
+            cause,
+        )
         status, _out, err = run.end(signal.SIGTERM)
         assert status == 1
         assert err == f"turnbuckle-yoon2023: stopped: {cause}\n"

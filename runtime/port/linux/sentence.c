@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "emcy.h"
+#include "sdo.h"
 #include "words.h"
 
 const char *tb_sentence_of_state(const tb_orders *orders)
@@ -12,24 +14,67 @@ const char *tb_sentence_of_state(const tb_orders *orders)
     return (phase[0] != '\0') ? phase : tb_state_text((tb_state)orders->state);
 }
 
-/* Name of the bus, or of the drive that a drive or cable number stands for. */
-static const char *name_of(const tb_orders *orders, const char *kind)
+/* The bus, or the drive of a cable or a number; with its place on the buses. */
+static void tell_culprit(const tb_orders *orders, const char *kind, size_t room, char text[])
 {
-    if (strcmp(kind, "bus") == 0) {
-        return (orders->culprit < TB_BUSES) ? tb_buses[orders->culprit].name : "?";
+    uint16_t const number = orders->culprit;
+    if (kind[0] == '\0') {
+        text[0] = '\0';
+    } else if ((strcmp(kind, "bus") == 0) && (number < TB_BUSES)) {
+        snprintf(text, room, "bus %s: ", tb_buses[number].name);
+    } else if (number < TB_DRIVES) {
+        const tb_drive_table *const drive = &tb_drives[number];
+        snprintf(text, room, "%s %s (bus %s, node %u): ", kind, drive->name,
+                 tb_buses[drive->bus].name, (unsigned)drive->node);
+    } else {
+        snprintf(text, room, "%s %u: ", kind, (unsigned)number);
     }
-    return (orders->culprit < TB_DRIVES) ? tb_drives[orders->culprit].name : "?";
+}
+
+/* What the machine file wants of an object: the last that is said of it. */
+static const tb_object *find_object(const tb_object objects[], size_t count,
+                                    const tb_orders *orders)
+{
+    for (size_t i = count; i > 0; i--) {
+        const tb_object *const object = &objects[i - 1];
+        if ((object->index == orders->index) && (object->subindex == orders->subindex)) {
+            return object;
+        }
+    }
+    return NULL;
+}
+
+static const tb_object *wanted_object(const tb_orders *orders)
+{
+    if (orders->culprit >= TB_DRIVES) {
+        return NULL;
+    }
+    const tb_drive_table *const drive = &tb_drives[orders->culprit];
+    const tb_object *const object = find_object(drive->identity, drive->identity_count, orders);
+    return (object != NULL) ? object
+                            : find_object(drive->contract, drive->contract_count, orders);
+}
+
+static void tell_difference(const tb_orders *orders, size_t room, char text[])
+{
+    const tb_object *const wanted = wanted_object(orders);
+    if (wanted == NULL) {
+        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32, orders->index,
+                 orders->subindex, orders->detail);
+    } else {
+        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", the machine file says 0x%" PRIX32,
+                 orders->index, orders->subindex, orders->detail, wanted->value);
+    }
 }
 
 /* The object of the dictionary that a task failed at, and how. */
 static void tell_object(const tb_orders *orders, size_t room, char text[])
 {
     if (orders->failure == TB_FAILURE_ABORT) {
-        snprintf(text, room, ": object %04X:%02X, aborted with %08" PRIX32, orders->index,
-                 orders->subindex, orders->detail);
+        snprintf(text, room, ": object %04X:%02X, aborted with %08" PRIX32 " (%s)", orders->index,
+                 orders->subindex, orders->detail, tb_sdo_abort_text(orders->detail));
     } else if (orders->failure == TB_FAILURE_DIFFERENT) {
-        snprintf(text, room, ": object %04X:%02X, found 0x%" PRIX32, orders->index,
-                 orders->subindex, orders->detail);
+        tell_difference(orders, room, text);
     } else {
         snprintf(text, room, ": object %04X:%02X, no answer", orders->index, orders->subindex);
     }
@@ -42,28 +87,25 @@ static void tell_detail(const tb_orders *orders, size_t room, char text[])
     if (orders->index != 0) {
         tell_object(orders, room, text);
     } else if (orders->cause == TB_CAUSE_DRIVE_FAULT) {
-        snprintf(text, room, ": error %04" PRIX32, orders->detail);
+        snprintf(text, room, ": error %04" PRIX32 " (%s)", orders->detail,
+                 tb_emcy_text((uint16_t)orders->detail));
     } else if (orders->cause == TB_CAUSE_STRANGER) {
         snprintf(text, room, ": node %" PRIu32, orders->detail);
     } else if (orders->cause == TB_CAUSE_CYCLES_MISSED) {
         snprintf(text, room, ": %" PRIu32 " cycles at once", orders->detail);
+    } else {
+        /* the cause says it all */
     }
 }
 
 void tb_sentence_of_cause(const tb_orders *orders, size_t room, char text[])
 {
     tb_cause const cause = (tb_cause)orders->cause;
-    if (cause == TB_CAUSE_NONE) {
-        text[0] = '\0';
-        return;
-    }
-    char detail[64];
-    const char *const kind = tb_culprit_text(cause);
+    char culprit[96];
+    char detail[128];
+    const char *const advice = tb_advice_text(cause);
+    tell_culprit(orders, tb_culprit_text(cause), sizeof culprit, culprit);
     tell_detail(orders, sizeof detail, detail);
-    if (kind[0] == '\0') {
-        snprintf(text, room, "%s%s", tb_cause_text(cause), detail);
-    } else {
-        snprintf(text, room, "%s %s: %s%s", kind, name_of(orders, kind), tb_cause_text(cause),
-                 detail);
-    }
+    snprintf(text, room, "%s%s%s%s%s", culprit, tb_cause_text(cause), detail,
+             (advice[0] == '\0') ? "" : "; ", advice);
 }

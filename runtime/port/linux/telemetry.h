@@ -36,7 +36,7 @@
 #define TB_TELEMETRY_VERSION 1u
 #define TB_TELEMETRY_CYCLES 4096u
 #define TB_TELEMETRY_NAME 32u  /* bytes of a name with the final 0; longer ones are cut */
-#define TB_TELEMETRY_TEXT 160u /* bytes of a sentence with the final 0 */
+#define TB_TELEMETRY_TEXT 320u /* bytes of a sentence with the final 0 */
 #define TB_FORCE_CYCLES 20u    /* cycles for which a force of the inbox counts */
 
 /** Who writes, and where everything is. */
