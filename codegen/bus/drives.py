@@ -117,12 +117,13 @@ def base_drives(machine: Machine) -> list[Constant]:
 def calibration(machine: Machine) -> list[Constant]:
     """How the cables' zeros are found."""
     way = machine.calibration
+    shortest = min((rail.length for rail in machine.rails), default=0.0)
     return [
         Constant("TB_CALIBRATION_SAMPLES", str(way.samples), "poses that are measured"),
         count(machine, "CALIBRATION_CYCLES", way.interval, "between two of them"),
         real(
             "TB_CALIBRATION_TRAVEL",
-            way.travel,
+            way.travel_on(shortest),
             "m, sweep of each base to either side of the middle of its rail",
         ),
     ]

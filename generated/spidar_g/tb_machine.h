@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine a4840e49535d91ca, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c47891485eb6f443, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "spidar_g"
-#define TB_MACHINE_HASH "a4840e49535d91ca"
+#define TB_MACHINE_HASH "c47891485eb6f443"
 
 #define TB_DOF 6 /* degrees of freedom of the platform */
 #define TB_CABLES 8

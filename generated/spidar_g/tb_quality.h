@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine a4840e49535d91ca, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine c47891485eb6f443, generator 0.1.0, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

@@ -26,6 +26,9 @@ Location = tuple[str | int, ...]
 Changes = Mapping[Location, str]
 """New text for the quantity at each location."""
 
+#: Tables that mean something with buses only.
+OF_BUSES = frozenset({"bus", "drive", "supervision", "calibration"})
+
 
 @dataclass(frozen=True)
 class Written:
@@ -65,9 +68,14 @@ class Document:
         return str(_at(self.tables, location))
 
     def machine(self, changes: Changes) -> Machine:
-        """The machine with these changes; MachineError where they make none."""
+        """The machine with these changes, less its buses; MachineError where they make none.
+
+        A search tries motors that no drive of the file could feed: buses are judged when the
+        machine that was found is read.
+        """
         tables = copy.deepcopy(self.tables)
         _apply(tables, changes)
+        tables = {key: table for key, table in tables.items() if key not in OF_BUSES}
         return machine_from(tables, self.path)
 
     def text_with(self, changes: Changes) -> str:

@@ -134,6 +134,8 @@ def ratings_given(machine: Machine, tables: Tables) -> Found:
 
 def currents(machine: Machine, tables: Tables) -> Found:
     """A motor's limits are within each other."""
+    if not machine.buses:
+        return
     motor, rail_drive = machine.cable_motor, machine.rail_drive
     if motor.rating:
         needed = motor.torque_limit / motor.rating.torque_constant
@@ -208,12 +210,12 @@ def heartbeats(machine: Machine, tables: Tables) -> Found:
 
 def sweeps(machine: Machine, tables: Tables) -> Found:
     """Bases sweep within their rails."""
-    if machine.buses and machine.rails:
-        shortest = min(rail.length for rail in machine.rails)
-        if machine.calibration.travel > shortest / 2:
-            found = f"{machine.calibration.travel * 1e3:g} mm"
-            allowed = f"at most half of the shortest rail, {shortest / 2 * 1e3:g} mm"
-            yield Problem("calibration.travel", found, allowed)
+    travel = machine.calibration.travel
+    if machine.buses and machine.rails and travel is not None:
+        half = min(rail.length for rail in machine.rails) / 2
+        if travel > half * (1 + ROUNDING):
+            allowed = f"at most half of the shortest rail, {half * 1e3:g} mm"
+            yield problem_at(tables, ("calibration", "travel"), allowed)
 
 
 def schedulable(machine: Machine, tables: Tables) -> Found:

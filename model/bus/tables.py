@@ -28,6 +28,8 @@ BIT_RATES = (10e3, 20e3, 50e3, 125e3, 250e3, 500e3, 800e3, 1e6)
 MASTER = "master"
 MOST_NODE = 126
 MASTER_NODE = 127
+#: Sweep of bases where the file does not say [m].
+LONGEST_SWEEP = 0.1
 Node = Annotated[int, Whole("a node number", 1, MOST_NODE)]
 Unsigned32 = Annotated[int, Whole("an unsigned number of 32 bits", 0, 0xFFFF_FFFF)]
 Counts = Annotated[int, Whole("counts of an encoder", 4, 4_000_000)]
@@ -100,9 +102,15 @@ class Calibration(Table):
 
     samples: Samples = Field(24, description="poses that are measured")
     interval: Duration = Field(0.1, description="time between two of them [s]")
-    travel: Length = Field(
-        0.1, description="sweep of each base to either side of the middle of its rail [m]"
+    travel: Length | None = Field(
+        None,
+        description="sweep of each base to either side of the middle of its rail [m];"
+        " 100 mm by default, or half of the shortest rail if that is less",
     )
+
+    def travel_on(self, shortest: float) -> float:
+        """The sweep on rails of which the shortest has this length [m]."""
+        return self.travel if self.travel is not None else min(LONGEST_SWEEP, shortest / 2)
 
 
 class Supervision(Table):

@@ -306,6 +306,13 @@ def test_times_are_counted_in_control_cycles() -> None:
     assert constants(load_machine(STOCK))["TB_HEARTBEAT_CYCLES"] == "10"
 
 
+def test_bases_sweep_half_of_a_short_rail() -> None:
+    def shorten(tables: dict[str, Any]) -> None:
+        tables["cable"][0]["rail"]["to"] = ["150 mm", "0 mm"]
+
+    assert float(constants(edited(shorten))["TB_CALIBRATION_TRAVEL"][5:-1]) == pytest.approx(0.075)
+
+
 def test_a_machine_without_rails_has_the_same_constants_with_zeros() -> None:
     def fix(tables: dict[str, Any]) -> None:
         corners = [("0 mm", "0 mm"), ("711.8 mm", "0 mm"), ("711.8 mm", "461.8 mm")]

@@ -145,7 +145,7 @@ REFUSALS: list[tuple[Edit, str, str, str]] = [
     (
         within("calibration", travel="300 mm"),
         "calibration.travel",
-        "300 mm",
+        '"300 mm"',
         "at most half of the shortest rail, 230.9 mm",
     ),
 ]

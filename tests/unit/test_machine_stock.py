@@ -5,6 +5,7 @@ import math
 from pathlib import Path
 
 import pytest
+from machine_text import without_buses
 
 from model.base import FixedBase, RailBase, RailCoordinate
 from model.machine import Machine, load_machine
@@ -20,7 +21,7 @@ def machine() -> Machine:
 
 
 def variant(tmp_path: Path, old: str, new: str) -> Machine:
-    text = STOCK.read_text(encoding="utf-8")
+    text = without_buses(STOCK.read_text(encoding="utf-8"))
     assert old in text
     path = tmp_path / "variant.toml"
     path.write_text(text.replace(old, new, 1), encoding="utf-8")
