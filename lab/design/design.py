@@ -69,7 +69,7 @@ class Design:
         return {**self._varied(outcome.values), **self.goal.settlement(machine, outcome.score)}
 
     def _candidate(self, values: Values) -> Machine:
-        return self.document.machine({**self.goal.allowance(), **self._varied(values)})
+        return self.document.candidate({**self.goal.allowance(), **self._varied(values)})
 
     def _varied(self, values: Values) -> Changes:
         pairs = zip(self.ranges, values, strict=True)

@@ -68,15 +68,18 @@ class Document:
         return str(_at(self.tables, location))
 
     def machine(self, changes: Changes) -> Machine:
-        """The machine with these changes, less its buses; MachineError where they make none.
+        """The machine with these changes; MachineError where they make none."""
+        return machine_from(self._changed(changes), self.path)
 
-        A search tries motors that no drive of the file could feed: buses are judged when the
-        machine that was found is read.
-        """
+    def candidate(self, changes: Changes) -> Machine:
+        """The same less its buses, because a search tries motors that no drive could feed."""
+        tables = self._changed(changes)
+        return machine_from({k: v for k, v in tables.items() if k not in OF_BUSES}, self.path)
+
+    def _changed(self, changes: Changes) -> dict[str, Any]:
         tables = copy.deepcopy(self.tables)
         _apply(tables, changes)
-        tables = {key: table for key, table in tables.items() if key not in OF_BUSES}
-        return machine_from(tables, self.path)
+        return tables
 
     def text_with(self, changes: Changes) -> str:
         """The file with these changes, its comments and layout as they are."""
