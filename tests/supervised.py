@@ -69,6 +69,7 @@ class Report(ctypes.Structure):
         ("mode", ctypes.c_uint8),
         ("homing", ctypes.c_uint8),
         ("fresh", ctypes.c_uint8),
+        ("age", ctypes.c_uint8),
         ("missed", ctypes.c_uint8),
         ("late", ctypes.c_uint8),
         ("silent", ctypes.c_uint8),

@@ -222,6 +222,7 @@ def observation(machine: Machine, precision: str) -> Layout:
         ("mode", np.uint8),
         ("homing", np.uint8),
         ("fresh", np.uint8),
+        ("age", np.uint8),
         ("missed", np.uint8),
         ("late", np.uint8),
         ("silent", np.uint8),

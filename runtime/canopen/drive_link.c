@@ -84,7 +84,6 @@ bool tb_drive_link_take(tb_drive_link *link, const tb_can_frame *frame, bool in_
 void tb_drive_link_sync(tb_drive_link *link, bool is_synced)
 {
     bool const homes = (link->controlword & TB_CONTROL_HOMING_START) != 0;
-    link->fresh = 0;
     if (is_synced) {
         link->answered = 0;
         link->homing_syncs = homes ? count_up(link->homing_syncs) : 0;
@@ -126,7 +125,7 @@ static tb_homing homing(const tb_drive_link *link)
                : tb_cia402_homing(link->status.statusword);
 }
 
-static void report_status(const tb_drive_link *link, tb_drive_report *report)
+static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_report *report)
 {
     report->position = (real_t)link->status.position * link->drive->metres_per_increment;
     report->torque = (real_t)link->status.torque * link->drive->torque_per_permille;
@@ -136,6 +135,7 @@ static void report_status(const tb_drive_link *link, tb_drive_report *report)
     report->power = link->power;
     report->homing = (uint8_t)homing(link);
     report->fresh = link->fresh;
+    report->age = age;
     report->missed = link->missed;
     report->late = link->late;
     report->silent = (is_heard(link) && follows_bus(link)) ? 0 : 1;
@@ -152,9 +152,9 @@ static void report_task(const tb_setup *setup, tb_drive_report *report)
     report->detail = setup->detail;
 }
 
-void tb_drive_link_report(tb_drive_link *link, bool is_synced, tb_drive_report *report)
+void tb_drive_link_report(tb_drive_link *link, uint8_t age, bool is_over, tb_drive_report *report)
 {
-    if (is_synced) {
+    if (is_over) {
         count_missed(link);
     }
     if (link->setup.started == 0) {
@@ -162,8 +162,9 @@ void tb_drive_link_report(tb_drive_link *link, bool is_synced, tb_drive_report *
     }
     tb_heartbeat_tick(&link->heartbeat);
     tb_setup_advance(&link->setup, &link->heartbeat, link->fresh != 0);
-    report_status(link, report);
+    report_status(link, age, report);
     report_task(&link->setup, report);
+    link->fresh = 0;
 }
 
 /* ---- Setpoints ---- */

@@ -23,7 +23,7 @@ typedef struct {
     uint16_t controlword;   /* sent last */
     uint8_t power;          /* tb_power of the last status message */
     uint8_t answered;       /* 1: a status message came since the last SYNC, late or not */
-    uint8_t fresh;          /* 1: one came in time in this cycle */
+    uint8_t fresh;          /* 1: one came in time since the last report */
     uint8_t missed;         /* SYNCs in a row without an answer */
     uint8_t late;           /* answers in a row that came too late */
     uint8_t homing_syncs;   /* SYNCs since homing was started; stops at 255 */
@@ -32,15 +32,16 @@ typedef struct {
 /** A drive that nothing is known of. */
 void tb_drive_link_start(tb_drive_link *link, const tb_drive_table *drive);
 
-/** Read a message from the drive. in_time: it can answer the SYNC of this cycle.
+/** Read a message from the drive. in_time: it answers the last SYNC before the next one is due.
  *  False: malformed, and ignored. */
 bool tb_drive_link_take(tb_drive_link *link, const tb_can_frame *frame, bool in_time);
 
 /** A cycle begins; is_synced: with a SYNC on the drive's bus. */
 void tb_drive_link_sync(tb_drive_link *link, bool is_synced);
 
-/** All messages of the cycle are read: count what is missing, go on with the task, report. */
-void tb_drive_link_report(tb_drive_link *link, bool is_synced, tb_drive_report *report);
+/** All messages of the cycle are read: go on with the task, report. age: cycles since the last SYNC;
+ *  is_over: the next cycle begins with another one, so what has not come by now is missing. */
+void tb_drive_link_report(tb_drive_link *link, uint8_t age, bool is_over, tb_drive_report *report);
 
 /** Setpoint for the next SYNC. False: the drive is not in service yet. */
 bool tb_drive_link_setpoint(tb_drive_link *link, const tb_drive_order *order, tb_can_frame *frame);

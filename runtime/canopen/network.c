@@ -118,26 +118,38 @@ static void drain(tb_network *network, size_t index, bool in_time)
 
 /* ---- SYNC ---- */
 
-static void sync_bus(tb_network *network, size_t index)
+/* Cycles since the last SYNC of a bus. */
+static uint8_t age_of_sync(const tb_network *network, size_t bus)
 {
-    tb_bus *const bus = &network->buses[index];
+    return (uint8_t)(network->cycle % tb_buses[bus].divider);
+}
+
+static void sync_bus(tb_bus *bus)
+{
     tb_can_frame const frame = tb_sync_frame();
-    bool const is_due = (network->cycle % tb_buses[index].divider) == 0;
-    bus->synced = (is_due && is_usable(bus)) ? 1 : 0;
+    bus->synced = is_usable(bus) ? 1 : 0;
     if (bus->synced != 0) {
         send(bus, &frame);
     }
 }
 
+/* A SYNC went out in this cycle. */
+static bool is_synced(const tb_network *network, size_t bus)
+{
+    return (network->buses[bus].synced != 0) && (age_of_sync(network, bus) == 0);
+}
+
 void tb_network_sync(tb_network *network)
 {
     for (size_t i = 0; i < TB_BUSES; i++) {
-        drain(network, i, false);
-        sync_bus(network, i);
+        bool const is_due = age_of_sync(network, i) == 0;
+        drain(network, i, !is_due);
+        if (is_due) {
+            sync_bus(&network->buses[i]);
+        }
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
-        tb_bus const *const bus = &network->buses[tb_drives[i].bus];
-        tb_drive_link_sync(&network->links[i], bus->synced != 0);
+        tb_drive_link_sync(&network->links[i], is_synced(network, tb_drives[i].bus));
     }
 }
 
@@ -161,12 +173,15 @@ static void report_bus(tb_bus *bus, tb_bus_report *report)
 void tb_network_collect(tb_network *network, tb_observation *seen)
 {
     for (size_t i = 0; i < TB_BUSES; i++) {
-        drain(network, i, network->buses[i].synced != 0);
+        drain(network, i, true);
         report_bus(&network->buses[i], &seen->buses[i]);
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
-        bool const is_synced = network->buses[tb_drives[i].bus].synced != 0;
-        tb_drive_link_report(&network->links[i], is_synced, &seen->drives[i]);
+        size_t const bus = tb_drives[i].bus;
+        uint8_t const age = age_of_sync(network, bus);
+        bool const is_over = (age + 1) == tb_buses[bus].divider;
+        tb_drive_link_report(&network->links[i], age,
+                             is_over && (network->buses[bus].synced != 0), &seen->drives[i]);
     }
 }
 
@@ -213,7 +228,7 @@ static void dispatch_bus(tb_network *network, size_t index, const tb_orders *ord
     if (!is_usable(bus)) {
         return;
     }
-    if (bus->synced != 0) {
+    if (is_synced(network, index)) {
         send_setpoints(network, index, orders);
     }
     send_heartbeat(network, bus, orders);

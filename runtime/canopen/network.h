@@ -6,7 +6,8 @@
  *   tb_network_dispatch  after the supervisor: setpoints, then the heartbeat, then one acyclic
  *                        frame a bus
  * Time is counted in cycles; nothing here reads a clock or waits. A bus whose SYNC comes only every
- * few cycles gets its setpoints in those cycles. */
+ * few cycles gets its setpoints in those cycles, and its answers have until the last collect before
+ * the next SYNC: the bus proof counts on that. */
 #ifndef TB_NETWORK_H
 #define TB_NETWORK_H
 
@@ -19,7 +20,7 @@
 /** One bus; the counters are of the time since the last report. */
 typedef struct {
     tb_can_port *port;
-    uint8_t synced;    /* 1: a SYNC was sent in this cycle */
+    uint8_t synced;    /* 1: the last SYNC that was due was sent */
     uint8_t served;    /* drive whose acyclic frame was sent last */
     uint8_t refused;   /* as in tb_bus_report */
     uint8_t stranger;  /* as in tb_bus_report */

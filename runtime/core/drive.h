@@ -91,6 +91,7 @@ typedef struct {
     uint8_t mode;         /* tb_mode that the drive confirmed last */
     uint8_t homing;       /* tb_homing; read only in TB_MODE_HOMING */
     uint8_t fresh;        /* 1 when a status message came since the last cycle */
+    uint8_t age;          /* cycles since the SYNC that this message answers */
     uint8_t missed;       /* SYNCs in a row that it did not answer, not even late; stops at 255 */
     uint8_t late;         /* status messages in a row that came too late for their cycle */
     uint8_t silent;       /* 1 when its heartbeat stopped, or says it is not operational */

@@ -13,27 +13,34 @@ static real_t largest_move(size_t drive)
     return TB_PERIOD * ((drive < TB_CABLES) ? TB_CABLE_SPEED_LIMIT : TB_RAIL_SPEED_LIMIT);
 }
 
-static real_t position_now(const tb_track *track)
+/* Where a drive is so many cycles after its last message. */
+static real_t position_after(const tb_track *track, uint16_t cycles)
 {
-    return track->position + (track->rate * (real_t)track->age);
+    return track->position + (track->rate * (real_t)cycles);
+}
+
+/* Cycles between the SYNCs of the last message and of this one. */
+static uint16_t time_between(const tb_track *track, uint8_t age)
+{
+    return (track->age > age) ? (uint16_t)(track->age - age) : 1;
 }
 
 /* The first message may be wherever a drive can be; a NaN fails the comparison. */
-static bool is_believable(const tb_track *track, real_t position, real_t largest)
+static bool is_believable(const tb_track *track, real_t position, uint16_t time, real_t largest)
 {
     real_t const farthest = TB_C(1e6);
-    real_t const bound = (track->known != 0) ? (largest * (real_t)track->age) : farthest;
-    return TB_ABS(position - position_now(track)) <= bound;
+    real_t const bound = (track->known != 0) ? (largest * (real_t)time) : farthest;
+    return TB_ABS(position - position_after(track, time)) <= bound;
 }
 
-static void keep(tb_track *track, real_t position)
+static void keep(tb_track *track, real_t position, uint16_t time, uint8_t age)
 {
     if (track->known != 0) {
-        track->rate = (position - track->position) / (real_t)track->age;
+        track->rate = (position - track->position) / (real_t)time;
     }
     track->known = 1;
     track->position = position;
-    track->age = 0;
+    track->age = age;
 }
 
 static void grow_older(tb_track *track, uint32_t skipped)
@@ -47,8 +54,9 @@ static void take(tb_track *track, const tb_drive_report *report, real_t largest,
     grow_older(track, skipped);
     track->jumped = 0;
     if (report->fresh != 0) {
-        if (is_believable(track, report->position, largest)) {
-            keep(track, report->position);
+        uint16_t const time = time_between(track, report->age);
+        if (is_believable(track, report->position, time, largest)) {
+            keep(track, report->position, time, report->age);
         } else {
             track->jumped = 1;
         }
@@ -65,7 +73,8 @@ void tb_measurement_take(tb_measurement *measurement, const tb_drive_report repo
 
 real_t tb_measured_position(const tb_measurement *measurement, size_t drive)
 {
-    return position_now(&measurement->tracks[drive]);
+    const tb_track *const track = &measurement->tracks[drive];
+    return position_after(track, track->age);
 }
 
 void tb_measured_winding(const tb_measurement *measurement, real_t wound[TB_CABLES])

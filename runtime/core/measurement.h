@@ -1,7 +1,8 @@
 /* Measurement: where cables and bases are in this cycle, from what their drives reported last.
  *
  * A base drive on a slower bus, or a drive whose answer was missed, tells nothing in some cycles.
- * Its position is then taken to have gone on as between its last two messages. A message that is
+ * Its position is then taken to have gone on as between its last two messages; so it is where its
+ * answer to a SYNC comes a cycle after it. A message that is
  * further from there than anything can have moved since the last one is a jump: the encoder's, not
  * the machine's. Speed may well grow beyond the limit bit by bit: that is a runaway, no jump. */
 #ifndef TB_MEASUREMENT_H
@@ -16,7 +17,7 @@
 typedef struct {
     real_t position; /* m, of its last message */
     real_t rate;     /* m a cycle, between its last two messages */
-    uint16_t age;    /* cycles since the last message; stops at its largest value */
+    uint16_t age;    /* cycles since the SYNC of the last message; stops at its largest value */
     uint8_t known;   /* 1 from the first message on */
     uint8_t jumped;  /* 1 when this cycle's message is a jump */
 } tb_track;

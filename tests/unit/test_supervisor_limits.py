@@ -25,6 +25,7 @@ SPOILED = st.fixed_dictionaries(
         "mode": BYTES,
         "homing": BYTES,
         "fresh": st.integers(0, 1),
+        "age": st.integers(0, 3),
         "missed": BYTES,
         "late": st.integers(0, 4),
         "silent": st.integers(0, 1),

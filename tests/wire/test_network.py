@@ -173,7 +173,7 @@ def test_syncs_without_an_answer_are_counted(running: Bench, drive: int, each: i
         running.cycle()
         missed.append(running.seen.drives[drive].missed)
         assert running.seen.drives[drive].fresh == 0
-    assert missed == ([1, 2, 3, 4, 5, 6] if each == 1 else [1, 1, 2, 2, 3, 3])
+    assert missed == ([1, 2, 3, 4, 5, 6] if each == 1 else [0, 1, 1, 2, 2, 3])
     running.answers = lambda bus, frame: [frame]
     running.cycle(each)
     assert running.seen.drives[drive].missed == 0
@@ -186,25 +186,42 @@ def test_the_count_of_missed_syncs_stops_at_255(running: Bench) -> None:
 
 
 @pytest.mark.parametrize("drive", [CABLE, BASE])
-def test_a_late_answer_is_used_but_is_not_fresh(running: Bench, drive: int) -> None:
+def test_an_answer_after_the_last_collect_is_used_but_is_late_and_not_fresh(
+    running: Bench, drive: int
+) -> None:
     row = running.rows[drive]
     silence(running, drive)
     period = running.dividers[row.bus]
     for count in range(1, 5):
-        running.sync()
-        running.collect()
-        running.dispatch()
-        running.give(row.bus, status(row.node, position=1000 * count))  # after the compute phase
-        running.cycle(period - 1)  # the rest of a slower bus's period: its late answer is drained
+        running.cycle(period)
         report = running.seen.drives[drive]
-        assert report.fresh == 0
-        wanted = count if period == 2 else count - 1  # drained by the next cycle
-        assert report.late == wanted
-        assert report.position == 1000 * wanted * row.table.metres_per_increment
-        assert report.missed == (0 if period == 2 else 1)
+        assert (report.fresh, report.late, report.missed) == (0, count - 1, 1)
+        assert report.position == 1000 * (count - 1) * row.table.metres_per_increment
+        running.give(row.bus, status(row.node, position=1000 * count))
     running.answers = lambda bus, frame: [frame]
     running.cycle(2 * period)
     assert (running.seen.drives[drive].late, running.seen.drives[drive].missed) == (0, 0)
+
+
+@pytest.mark.parametrize("moment", ["after the collect", "before the next collect"])
+def test_on_a_slower_bus_an_answer_in_the_next_cycle_is_in_time(
+    running: Bench, moment: str
+) -> None:
+    row = running.rows[BASE]
+    silence(running, BASE)
+    for count in range(1, 5):
+        running.cycle()
+        assert running.seen.drives[BASE].fresh == 0
+        if moment == "after the collect":
+            running.give(row.bus, status(row.node, position=1000 * count))
+        running.sync()
+        if moment == "before the next collect":
+            running.give(row.bus, status(row.node, position=1000 * count))
+        running.collect()
+        running.dispatch()
+        report = running.seen.drives[BASE]
+        assert (report.fresh, report.age, report.late, report.missed) == (1, 1, 0, 0)
+        assert report.position == 1000 * count * row.table.metres_per_increment
 
 
 def test_of_two_status_messages_in_one_sync_the_last_counts_and_they_are_counted(
