@@ -33,6 +33,8 @@ from model.symbolic.tension import INWARDS, KKT_TOLERANCE, OFF_BORDER
 from model.symbolic.wrench_norm import weights
 
 COUNT = 10_000
+#: Most cables with which what is composed of loops is evaluated in Python too, which takes long.
+COMPOSED = 12
 #: The self-check of a loop lets pass so many units of EPSILON times T_max a cable.
 TOLERANCE = KKT_TOLERANCE / 4
 #: Problems beside a border that rounding closes: one in so many may be refused as inaccurate.
@@ -142,7 +144,11 @@ def test_the_c_of_the_loops_is_their_evaluation_to_the_bit(case: Case, precision
     wrench = about(machine, known, np.tile([0.9, 1.0, 1.1], 200))
     real = REALS[precision]
     arguments = [known.structure.reshape(600, -1).astype(real), wrench.astype(real)]
+    # what is composed of loops is composed alike whatever their size: fewer cables show it
+    alone = len(machine.cables) > COMPOSED
     for name, item in items.items():
+        if alone and not isinstance(item, Loop):
+            continue
         computed = evaluate(item, arguments, DOUBLE if precision == "double" else FLOAT)
         answer = asked(libraries[precision], name, known.structure, wrench)
         wanted = statuses(item, computed)
