@@ -19,7 +19,7 @@ OfMachine = Annotated[
 
 
 def replay(dump: Dump, file: OfMachine = None) -> None:
-    """Run a flight recording again, and compare every order to the bit.
+    """Run a flight recording again, compare it to the bit.
 
     Compiles the C of the machine file. Exit status 1 if an order differs from
     the recorded one: then the program was not made from this C, or its

@@ -157,7 +157,9 @@ def monitor(
     ] = False,
     telemetry: Telemetry = None,
 ) -> None:
-    """Watch a running machine: state, pose, tensions, drives, buses, timing.
+    """Watch a running machine, live in the terminal.
+
+    Shows state, pose, tensions, drives, buses and timing.
 
     With a machine file the program must be that machine's, and a planar
     machine is drawn. A request (--arm, --stop, --reset) is sent, and the
