@@ -151,6 +151,10 @@ class Lockstep:
     def _is_ready(self) -> bool:
         return self.state is State.CONFIGURE and self.view["phase"] == READY
 
+    def exchange_runtime(self, library: ctypes.CDLL) -> None:
+        """Go on with another build of the runtime, whose memory has the same layout."""
+        self._library = library
+
     def set_bus(self, bus: int, state: BusState, full: bool = False) -> None:
         """Fault: bring a bus into a state; full: it takes no frames (ENOBUFS)."""
         self._library.shim_set_bus(self._memory, bus, int(state), int(full))
@@ -191,11 +195,11 @@ class Lockstep:
                 raise RuntimeError(f"shim_{name} has {size} bytes in C, {layout.itemsize} here")
 
 
-def load(generated: Generated) -> ctypes.CDLL:
-    """The runtime of a machine with its buses in memory."""
-    sources = [path for folder in FOLDERS for path in sorted(folder.glob("*.c"))]
+def load(generated: Generated, folders: Sequence[Path] = FOLDERS) -> ctypes.CDLL:
+    """The runtime of a machine with its buses in memory; folders: of its core and canopen."""
+    sources = [path for folder in folders for path in sorted(folder.glob("*.c"))]
     sources += [*sorted(generated.folder.glob("*.c")), *PORTABLE_CAN, SHIM]
-    include = [generated.folder, *FOLDERS, CAN]
+    include = [generated.folder, *folders, CAN]
     library = ctypes.CDLL(str(compile_library(sources, include, generated.precision)))
     for name in ("machine_size", "wishes_size", "view_size", "sync", "run", "give"):
         getattr(library, f"shim_{name}").restype = ctypes.c_size_t

@@ -12,6 +12,7 @@ from lab.machine_sim import SimulatedMachine
 from lab.soak.order_watch import OrderWatch
 from lab.task import Task
 from model.machine import Plant
+from model.reference.control import base_targets
 
 LONGEST_BRING_UP = 60_000
 """Cycles."""
@@ -39,18 +40,18 @@ class Finding:
 
 
 class SoakRun:
-    """A machine that works until it is told to end; `lockstep` is open to faults of a test."""
+    """A machine that starts with its bases about the handle, and works until it is told to end."""
 
     def __init__(self, generated: Generated, plant: Plant, task: Task) -> None:
-        machine = generated.machine
-        self.lockstep = Lockstep(generated, SimulatedMachine(machine, plant, task))
-        buses = self.lockstep.machine.buses
+        self._machine = machine = generated.machine
+        rails = base_targets(machine, task.path.at(0.0)[0]).tolist()
+        self.lockstep = Lockstep(generated, SimulatedMachine(machine, plant, task, rails))
         self.finding = Finding()
-        self._frames = Fingerprint(buses)
+        self._buses = self.lockstep.machine.buses
+        self._frames = Fingerprint(self._buses)
         self._orders = hashlib.blake2b(digest_size=16)
         self._setpoints = SetpointWatch(machine)
-        self._setpoints.listen(buses)
-        self._order_watch = OrderWatch(machine, buses)
+        self._setpoints.listen(self._buses)
 
     def run(self, cycles: int, progress: Progress = lambda done: None) -> Finding:
         """Bring the machine up and let it work for so many cycles."""
@@ -68,6 +69,7 @@ class SoakRun:
         self.lockstep.bring_up(LONGEST_BRING_UP)
         self.lockstep.machine.begin_task(repeat=True)
         self.finding.bring_up = self.lockstep.cycles
+        self._order_watch = OrderWatch(self._machine, self._buses)
 
     def work(self, cycles: int) -> None:
         """Let it work for so many cycles."""
