@@ -91,9 +91,8 @@ def test_a_machine_of_fixed_bases_runs_where_its_cables_can_hold_it(
 
 
 def test_fixed_bases_and_walls_and_an_observer_go_together(tmp_path: Path) -> None:
-    tables = variants.stock() | {"cable": variants.fixed("walled", variants.CORNERS)["cable"]}
-    tables["machine"] |= {"name": "walled"}
-    del tables["rail_drive"]
+    tables = variants.fixed("walled", variants.CORNERS)
+    tables |= {key: variants.stock()[key] for key in ("wall", "disturbance_observer")}
     result = demo(tables, tmp_path)
     assert result.summary.failed == 0 and result.summary.wall_error is not None
     assert result.uncompensated is not None and result.uncompensated.wall_error is not None
