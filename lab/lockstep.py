@@ -109,6 +109,12 @@ class Lockstep:
         return seen
 
     @property
+    def wishes(self) -> np.void:
+        """What the application wished in the last cycle: tb_wishes."""
+        wished: np.void = self._wishes[0]
+        return wished
+
+    @property
     def state(self) -> State:
         """State of the supervisor."""
         return State(int(self.view["state"]))
