@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+import codegen.compile
 import codegen.verify
 from codegen import accuracy, accuracy_cache
 from codegen.accuracy import Accuracy
@@ -29,6 +30,12 @@ FIRST_ALIKE = first_alike(MACHINES)
 
 
 @pytest.fixture
+def quick_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It optimises nothing, which changes no bit of a result."""
+    monkeypatch.setattr(codegen.compile, "FLAGS", (*codegen.compile.FLAGS, "-O0"))
+
+
+@pytest.fixture
 def short_search(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """It finds lower bounds for the headers, if any; they must not be kept."""
     monkeypatch.setattr(accuracy_cache, "CACHE", tmp_path)
@@ -38,7 +45,7 @@ def short_search(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", MACHINES, ids=lambda path: path.stem)
-@pytest.mark.usefixtures("short_search")
+@pytest.mark.usefixtures("quick_compiler", "short_search")
 def test_the_c_of_another_machine_agrees_with_the_reference(path: Path) -> None:
     model = build_model(load_machine(path))
     left_out = () if path in FIRST_ALIKE else OF_A_STRUCTURE
