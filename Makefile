@@ -17,7 +17,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test soak figures bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test soak campaign figures bench lint lock clean distclean
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
 	@$(MAKE) --no-print-directory generate
@@ -89,6 +89,12 @@ test: lint ## lint, then every test
 
 soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
 	$(VENV)/bin/python -m lab.soak $(CYCLES:%=--cycles %)
+
+campaign: $(SETUP) ## inject every fault in every state again: docs/fault-campaign.md
+	rm -rf build/fault_campaign build/fault_campaign.md
+	$(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py --deselect \
+	  tests/faults/test_campaign.py::test_the_committed_table_is_of_these_faults_and_moments
+	cp build/fault_campaign.md docs/fault-campaign.md
 
 figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
 	$(VENV)/bin/python -m lab.figures

@@ -130,6 +130,11 @@ class Lockstep:
         self._return_answers()
         self.cycles += 1
 
+    def stand_still(self) -> None:
+        """Let a cycle pass in which the master does nothing; what is sent to it waits."""
+        self.machine.advance()
+        self._return_answers()
+
     def run(self, cycles: int) -> None:
         """Run so many cycles."""
         for _ in range(cycles):

@@ -65,6 +65,11 @@ class SimulatedMachine:
         return self.task.force(self._cue.elapsed(self.world.time))
 
     @property
+    def hand_goal(self) -> Pair:
+        """Where the hand wants the handle now [m]."""
+        return self._cue.at(self.world.time)[0]
+
+    @property
     def positions(self) -> list[float]:
         """Cable wound in since power-on [m] (n), then rail coordinates [m] (m)."""
         wound = [

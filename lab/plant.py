@@ -84,6 +84,11 @@ class PlanarPlant:
         """Cut a cable, counted from 0: its motor has nothing to pull from here on."""
         self._strands[cable].break_()
 
+    def hook_cable(self, cable: int, detour: float) -> None:
+        """Let something catch a cable, counted from 0, and hold it aside: so much of it [m] is
+        pulled off its drum, which is held, and the handle feels none of its tension."""
+        self._strands[cable].hook(detour)
+
     def advance(self, torques: Sequence[float], rail_forces: Sequence[float]) -> None:
         """Run one control cycle; torques [N m] (n) of the motors, rail_forces [N] (m)."""
         pulls = [torque / self._radius for torque in torques]

@@ -12,7 +12,7 @@ These are linear in T and s''; eliminating s'' leaves T = pull - inertia lhat . 
 
 A cable cannot push: where that T would be negative it hangs slack, T = 0, and the motor turns on
 its own. It takes hold again when all that was paid out is needed, with a jerk that leaves handle
-and motor at one speed. A broken cable never takes hold again.
+and motor at one speed. A broken cable never takes hold again; the drum of a hooked one stands.
 """
 
 from dataclasses import dataclass
@@ -82,6 +82,7 @@ class Strand:
     inertia: float = 0.0  # kg
     taut: bool = True
     broken: bool = False
+    hooked: bool = False
     loose_length: float = 0.0  # m, paid out; these three only while the cable is not taut
     loose_rate: float = 0.0  # m/s
     loose_acceleration: float = 0.0  # m/s^2
@@ -94,7 +95,7 @@ class Strand:
     @property
     def is_due(self) -> bool:
         """Whether a slack cable is needed in full: it takes hold now."""
-        return not self.taut and not self.broken and self.length >= self.loose_length
+        return not (self.taut or self.broken or self.hooked) and self.length >= self.loose_length
 
     def look(self, position: Pair, velocity: Pair) -> None:
         """Find length, direction and rate, from the handle's position [m] and velocity [m/s]."""
@@ -153,6 +154,13 @@ class Strand:
             self.release()
         self.broken = True
 
+    def hook(self, detour: float) -> None:
+        """Hold the cable aside, with so much of it [m] beyond the distance it spans."""
+        if self.taut:
+            self.release()
+        self.hooked = True
+        self.loose_length, self.loose_rate = self.length + detour, 0.0
+
     def yielding(self) -> float:
         """Speed [m/s] that a jerk of 1 N s takes from the gap between cable and distance, the
         handle held: what carriage and motor give."""
@@ -164,6 +172,8 @@ class Strand:
         self.speed -= self.rail.mobility * self.along * impulse
 
     def _turn_motor(self, step: float) -> None:
+        if self.hooked:
+            return
         if self.taut:
             self.motor_friction.slide(self.rate * step)
             return

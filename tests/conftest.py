@@ -1,6 +1,9 @@
 """What tests of the generated C share: the stock machine and its C as committed."""
 
+from __future__ import annotations
+
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -10,6 +13,9 @@ from codegen.accuracy_cache import measured_accuracy
 from codegen.bind import Generated
 from codegen.generate import Model, build_model
 from model.machine import Machine, load_machine
+
+if TYPE_CHECKING:
+    from journey import Journey
 
 ROOT = Path(__file__).parents[1]
 STOCK_FILE = ROOT / "machines" / "yoon2023.toml"
@@ -65,3 +71,11 @@ def double(stock: Machine, stock_folder: Path) -> Generated:
 def single(stock: Machine, stock_folder: Path) -> Generated:
     """The committed C in single precision."""
     return Generated(stock, stock_folder, "float")
+
+
+@pytest.fixture(scope="session")
+def journey() -> Journey:
+    """The stock machine on its way from power-on to FAULT; brought up once a worker."""
+    from journey import Journey, stock
+
+    return Journey(stock())

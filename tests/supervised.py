@@ -344,6 +344,7 @@ class Machine:
         if not synced:
             return
         report.position, report.power = self.position(index), drive.power
+        report.torque = drive.applied[0] if drive.power == Power.ENABLED else 0.0
         report.error_code, report.error_class = drive.error_code, 2 if drive.error_code else 0
         report.homing = drive.homing
         order = self.orders.drives[index]

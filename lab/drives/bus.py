@@ -17,6 +17,7 @@ class Mishap(Enum):
     DUPLICATE = "comes twice"
     DELAY = "comes so many cycles later"
     CORRUPT = "has bits flipped"
+    SHORTEN = "has lost its last byte"
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,11 @@ class SimulatedBus:
         self._carry(frame, None)
         self._arbitrate()
 
+    def intrude(self, frame: Frame) -> None:
+        """Fault: somebody who does not belong there puts a frame on the bus."""
+        self._answers.append(frame)
+        self.send(frame)
+
     def take(self) -> list[Frame]:
         """What the drives have sent since the last call, in the order on the bus."""
         self._arbitrate()
@@ -117,6 +123,8 @@ class SimulatedBus:
                 self._late.append((self._cycle + disturbance.cycles, frame, sender))
             case Mishap.CORRUPT:
                 self._deliver(disturbance.flipped(frame), sender)
+            case Mishap.SHORTEN:
+                self._deliver(Frame(frame.cob, frame.data[:-1]), sender)
 
     def _deliver(self, frame: Frame, sender: Drive | None) -> None:
         for listener in self.listeners:

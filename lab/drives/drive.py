@@ -70,7 +70,7 @@ class Drive:
         """Fault: nothing that the drive sends reaches the bus."""
         self._send = send
         self._objects = Objects()
-        self._describe()
+        self.describe()
         self.servo = Servo(self._objects, setup.ratings)
         self._pdos = ProcessData(self._objects)
         self._handlers: dict[int, Callable[[bytes], None]] = {}
@@ -135,13 +135,14 @@ class Drive:
     def switch_on(self) -> None:
         """The supply comes back: everything as after power-on."""
         self._objects.restore(lambda index: True)
-        self._describe()
+        self.describe()
         self.servo.switch_on()
         self._restart(self.setup.boot_time)
 
     # -- what a drive is ----------------------------------------------------------------------
 
-    def _describe(self) -> None:
+    def describe(self) -> None:
+        """Tell by objects what the setup says: identity, number, ratings."""
         put, ratings, identity = self._objects.put, self.setup.ratings, self.setup.identity
         numbers = identity.vendor, identity.product, identity.revision, identity.serial
         for sub, number in enumerate(numbers, start=1):

@@ -18,6 +18,7 @@ typedef enum {
     TB_CAUSE_DRIVE_FAULT,       /* drive: in its fault state, or an emergency message */
     TB_CAUSE_DRIVE_STATE,       /* drive: left the ordered power state, or a status unknown to CiA 402 */
     TB_CAUSE_DRIVE_STUCK,       /* drive: did not reach the ordered power state or mode in time */
+    TB_CAUSE_DRIVE_DEAF,        /* drive: its torque is not what it was told */
     TB_CAUSE_BUS_OFF,           /* bus: cut off, or its device has gone */
     TB_CAUSE_BUS_FULL,          /* bus: a frame could not be sent (ENOBUFS) */
     TB_CAUSE_BUS_CORRUPT,       /* bus: malformed frames again and again */

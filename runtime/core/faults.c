@@ -3,12 +3,18 @@
 #include "drive_orders.h"
 #include "states.h"
 
+/* A drive's torque lags behind what it was told, and is told filtered: by so much of its limit, for so
+ * many cycles in a row, it may be another one. */
+#define DEAF_SHARE TB_C(0.125)
+#define DEAF_CYCLES 100u
+
 bool tb_is_hard(tb_cause cause)
 {
     switch (cause) {
     case TB_CAUSE_DRIVE_SILENT:
     case TB_CAUSE_DRIVE_FAULT:
     case TB_CAUSE_DRIVE_STATE:
+    case TB_CAUSE_DRIVE_DEAF:
     case TB_CAUSE_BUS_OFF:
     case TB_CAUSE_ENCODER_JUMP:
     case TB_CAUSE_CABLE_BREAK:
@@ -45,6 +51,23 @@ static bool has_left(const tb_drive_memory *drive, const tb_drive_report *report
     return !has_power || (follows && (report->mode != drive->wanted.mode));
 }
 
+static bool obeys(const tb_drive_memory *drive, const tb_drive_report *report, real_t limit)
+{
+    bool const follows = (drive->reached != 0) && (drive->wanted.goal == TB_GOAL_ENABLED) &&
+                         (report->mode == TB_MODE_TORQUE);
+    return !follows || (TB_ABS(report->torque - drive->sent) <= DEAF_SHARE * limit);
+}
+
+static void count_deaf_cycles(tb_supervisor *supervisor, const tb_observation *seen)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        tb_drive_memory *const drive = &supervisor->drives[i];
+        real_t const limit = (i < TB_CABLES) ? TB_TORQUE_LIMIT : TB_RAIL_TORQUE_LIMIT;
+        bool const is_deaf = !obeys(drive, &seen->drives[i], limit);
+        drive->deaf = is_deaf ? (uint16_t)(drive->deaf + 1) : 0;
+    }
+}
+
 /* A base's coordinate means something once it is homed, and is then guided. */
 static bool is_position_known(const tb_supervisor *supervisor, size_t drive)
 {
@@ -76,6 +99,9 @@ static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observat
     }
     if (has_left(&supervisor->drives[index], report)) {
         return tb_blame_for(TB_CAUSE_DRIVE_STATE, index, report->statusword);
+    }
+    if (supervisor->drives[index].deaf > DEAF_CYCLES) {
+        return tb_blame_for(TB_CAUSE_DRIVE_DEAF, index, 0);
     }
     if (has_jumped(supervisor, index)) {
         return tb_blame_for(TB_CAUSE_ENCODER_JUMP, index, 0);
@@ -183,6 +209,7 @@ static tb_blame find_soft_fault(tb_supervisor *supervisor, const tb_observation 
 
 tb_blame tb_find_fault(tb_supervisor *supervisor, const tb_observation *seen)
 {
+    count_deaf_cycles(supervisor, seen);
     tb_blame blame = find_lost_bus(seen);
     if (blame.cause == TB_CAUSE_NONE) {
         blame = examine_drives(supervisor, seen);

@@ -3,6 +3,8 @@
 
 /* Cycles of each of the two ramps of a soft stop. */
 #define RAMP_CYCLES ((uint32_t)TB_STOP_CYCLES / 2)
+/* Cycles that a drive may take to switch off; after them FAULT withholds the heartbeat. */
+#define OFF_TIMEOUT ((uint32_t)TB_HEARTBEAT_TIMEOUT)
 
 static void end_tasks(tb_supervisor *supervisor)
 {
@@ -81,7 +83,7 @@ static tb_blame await_power_off(tb_supervisor *supervisor, const tb_observation 
         } else {
             tb_begin_fault(supervisor);
         }
-    } else if (supervisor->cycles > TB_STATE_TIMEOUT) {
+    } else if (supervisor->cycles > OFF_TIMEOUT) {
         tb_blame const stuck = tb_blame_stuck(supervisor, seen, tb_all_drives);
         tb_begin_fault(supervisor);
         return stuck;
@@ -126,8 +128,7 @@ void tb_hard_stop(tb_supervisor *supervisor)
             tb_order_goal(supervisor, tb_all_drives, TB_GOAL_OFF);
             tb_enter(supervisor, TB_STATE_HARD_STOP, TB_PHASE_POWER_OFF);
         }
-    } else if (tb_have_reached(supervisor, tb_all_drives) ||
-               (supervisor->cycles > TB_STATE_TIMEOUT)) {
+    } else if (tb_have_reached(supervisor, tb_all_drives) || (supervisor->cycles > OFF_TIMEOUT)) {
         tb_begin_fault(supervisor);
     }
 }

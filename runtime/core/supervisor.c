@@ -142,13 +142,22 @@ static void run_cycle(tb_supervisor *supervisor, const tb_observation *seen)
     }
 }
 
+/* A drive that cannot hear that it is to switch off, or does not obey, does so by itself when it
+ * misses the heartbeat. */
+static bool may_beat(const tb_supervisor *supervisor)
+{
+    bool const is_over = supervisor->state >= TB_STATE_HARD_STOP;
+    bool const obeyed = tb_have_reached(supervisor, tb_all_drives);
+    return (supervisor->damaged == 0) && (!is_over || obeyed);
+}
+
 static void tell(const tb_supervisor *supervisor, tb_orders *orders)
 {
     orders->controller = supervisor->outputs;
     for (size_t i = 0; i < TB_CABLES; i++) {
         orders->slack[i] = supervisor->slack[i];
     }
-    orders->beat = (supervisor->damaged == 0) ? 1 : 0;
+    orders->beat = may_beat(supervisor) ? 1 : 0;
     orders->state = supervisor->state;
     orders->phase = supervisor->phase;
     orders->cause = supervisor->first.cause;

@@ -93,7 +93,8 @@ typedef struct {
     tb_drive_order drives[TB_DRIVES];
     tb_outputs controller;     /* of the controller step; all zero where it does not run */
     real_t slack[TB_CABLES];   /* m, how far each cable alone would explain the closure error */
-    uint8_t beat;              /* 1: this cycle is checked and complete, the heartbeat may go out */
+    uint8_t beat;              /* 1: this cycle is checked and complete, the heartbeat may go out;
+                                  after a hard stop began, only while every drive is off */
     uint8_t state;             /* tb_state */
     uint8_t phase;             /* tb_phase */
     uint8_t cause;             /* tb_cause, first since the last reset */

@@ -4,6 +4,7 @@ import ctypes
 import itertools
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,6 +34,7 @@ from supervised import (
 
 NUMBERS = constants(supervised.STOCK)
 STATE_TIMEOUT = int(NUMBERS["TB_STATE_TIMEOUT"])
+HEARTBEAT_TIMEOUT = int(NUMBERS["TB_HEARTBEAT_TIMEOUT"])
 STOP_CYCLES = int(NUMBERS["TB_STOP_CYCLES"])
 TIGHT = DRUM * NUMBERS["TB_TENSION_MIN"]
 BASES = range(CABLES, DRIVES)
@@ -393,6 +395,29 @@ def test_a_hard_stop_ends_even_if_a_drive_never_tells_that_it_is_off(
         STATE_TIMEOUT + 10, lambda orders: orders.state == State.FAULT, stuck(power=Power.ENABLED)
     )
     assert goals(machine) == {Goal.OFF}
+
+
+@pytest.mark.parametrize("moment", ["SOFT_STOP POWER_OFF", "HARD_STOP POWER_OFF"])
+def test_a_drive_that_does_not_switch_off_is_left_without_heartbeat(moment: str, at: At) -> None:
+    machine = at(moment)
+    beats: list[int] = []
+
+    def over(orders: Any) -> bool:
+        beats.append(orders.beat)
+        return bool(orders.state == State.FAULT)
+
+    machine.run(HEARTBEAT_TIMEOUT + 5, over, stuck(power=Power.ENABLED))
+    assert machine.orders.state == State.FAULT
+    assert machine.step(stuck(power=Power.ENABLED)).beat == 0
+    assert sum(beats[8:-1]) == (len(beats) - 9 if moment.startswith("SOFT") else 0)
+    assert machine.step().beat == 1  # it is off
+
+
+@pytest.mark.parametrize("moment", ["SOFT_STOP POWER_OFF", "HARD_STOP POWER_OFF"])
+def test_drives_that_switch_off_lose_no_heartbeat_for_long(moment: str, at: At) -> None:
+    machine = at(moment)
+    without = [not machine.step().beat for _ in range(50)]
+    assert sum(without) < 10 and machine.orders.beat == 1
 
 
 FAILURES = [

@@ -89,6 +89,7 @@ ELSEWHERE = {
     "DRIVE_SETUP",
     "DRIVE_TWICE",
     "DRIVE_STUCK",
+    "DRIVE_DEAF",
     "HOMING",
     "MEMORY",
     "CALIBRATION",
@@ -222,6 +223,35 @@ def test_a_cable_that_speeds_up_beyond_the_limit_is_a_runaway(
         seen.drives[CULPRIT].position += next(wound)
 
     assert ended(machine, run_away, 3) == ("HARD_STOP", "RUNAWAY", CULPRIT)
+
+
+MOMENTS_OF_TORQUE = ["HOME SWEEP", "TENSION APPROACH", "RUN NONE", "SOFT_STOP RELAX"]
+
+
+@pytest.mark.parametrize("moment", MOMENTS_OF_TORQUE)
+@pytest.mark.parametrize(("number", "share"), [(CULPRIT, 0.2), (CULPRIT, -0.2), (CABLES + 1, 0.2)])
+def test_a_drive_that_does_not_do_what_it_is_told_is_deaf(
+    moments: tuple[Machine, Moments], moment: str, number: int, share: float
+) -> None:
+    machine, saved = moments
+    limit = NUMBERS["TB_TORQUE_LIMIT" if number < CABLES else "TB_RAIL_TORQUE_LIMIT"]
+
+    def differ(by: float) -> Spoil:
+        def spoil(seen: Observation) -> None:
+            seen.drives[number].torque = machine.orders.drives[number].torque + by * limit
+
+        return spoil
+
+    cycles = TABLE["DRIVE_DEAF"].cycles(NUMBERS)
+    machine.restore(saved[moment])
+    machine.run(cycles, spoil=differ(share))
+    assert machine.orders.cause in (supervised.Cause.NONE, supervised.Cause.REQUESTED)
+    assert ended(machine, differ(share), 1) == ("HARD_STOP", "DRIVE_DEAF", number)
+    machine.restore(saved[moment])
+    for _ in range(3):  # negative controls: not for long enough, not by enough
+        machine.run(cycles, spoil=differ(share))
+        machine.run(cycles, spoil=differ(0.4 * share))
+    assert supervised.Cause(machine.orders.cause).name != "DRIVE_DEAF"
 
 
 def drift(sign: float) -> Spoil:

@@ -85,7 +85,7 @@ static void run_cycle(tb_loop *loop, tb_grid *grid)
     tb_master_run(loop->master, &wishes, grid->missed);
     tb_histogram_add(&loop->times.computing, tb_clock_now() - woke);
     tb_publish(loop, began);
-    if (loop->master->orders.beat != 0) {
+    if (loop->master->supervisor.damaged == 0) {
         tb_watchdog_feed(&loop->watchdog, began);
     }
     loop->number++;
