@@ -33,7 +33,14 @@ def run(
             show_default=False,
         ),
     ] = None,
-    sim: Annotated[bool, typer.Option("--sim", help="Run against simulated drives.")] = False,
+    sim: Annotated[
+        bool,
+        typer.Option(
+            "--sim",
+            help="Run against simulated drives: on serial lines of their own, or, with --bus, on"
+            " interfaces of the kernel, such as cable1=socketcan:vcan0.",
+        ),
+    ] = False,
     pace: Annotated[
         int | None,
         typer.Option(

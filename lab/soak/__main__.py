@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from lab.soak.pair import soak_twice
+from lab.soak.pair import SoakError, soak_twice
 from lab.soak.run import Finding
 
 ROOT = Path(__file__).parents[2]
@@ -24,7 +24,11 @@ def main() -> int:
     parser.add_argument("--cycles", type=int, default=CYCLES, help=f"of work [{CYCLES}]")
     cycles = parser.parse_args().cycles
     console = Console()
-    findings = run_with_progress(cycles, Console(stderr=True))
+    try:
+        findings = run_with_progress(cycles, Console(stderr=True))
+    except SoakError as error:
+        console.print(f"{error}.")
+        return 1
     console.print(summary(findings))
     for words in [words for finding in findings for words in finding.wrong][:SHOWN]:
         console.print(words, markup=False, highlight=False)

@@ -1,8 +1,9 @@
 """The same run twice, in two processes side by side."""
 
 import multiprocessing
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 from codegen.bind import Generated
@@ -14,36 +15,50 @@ Progress = Callable[[int], None]
 """Told how many cycles of work both runs together have done."""
 
 
+class SoakError(Exception):
+    """A run ended before its time; the text says how."""
+
+
 def soak_twice(machine: Path, folder: Path, cycles: int, progress: Progress) -> list[Finding]:
     """Run a machine, with its generated C in a folder, twice for so many cycles of work.
 
-    Raises EOFError when one of the two dies.
+    Raises SoakError when one of the two dies.
     """
     context = multiprocessing.get_context("spawn")
-    lines: list[Connection] = []
+    runs: dict[Connection, BaseProcess] = {}
     for _ in range(2):
         ours, theirs = context.Pipe(duplex=False)
-        words = machine, folder, cycles, theirs
-        context.Process(target=soak, args=words, daemon=True).start()
+        process = context.Process(target=soak, args=(machine, folder, cycles, theirs), daemon=True)
+        process.start()
         theirs.close()
-        lines.append(ours)
-    return listen(lines, progress)
+        runs[ours] = process
+    return listen(runs, progress)
 
 
-def listen(lines: list[Connection], progress: Progress) -> list[Finding]:
+def listen(runs: Mapping[Connection, BaseProcess], progress: Progress) -> list[Finding]:
     """Tell how far the runs are, until each has told what it found."""
-    done: dict[Connection, int] = dict.fromkeys(lines, 0)
+    done = dict.fromkeys(runs, 0)
     findings: dict[Connection, Finding] = {}
-    while len(findings) < len(lines):
-        for line in wait([line for line in lines if line not in findings]):
+    while len(findings) < len(runs):
+        for line in wait([line for line in runs if line not in findings]):
             assert isinstance(line, Connection)
-            told: int | Finding = line.recv()
+            told = hear(line, runs[line])
             if isinstance(told, Finding):
                 findings[line] = told
             else:
                 done[line] = told
         progress(sum(done.values()))
-    return [findings[line] for line in lines]
+    return [findings[line] for line in runs]
+
+
+def hear(line: Connection, process: BaseProcess) -> int | Finding:
+    """What a run tells next: how far it is, or at its end what it found."""
+    try:
+        told: int | Finding = line.recv()
+    except EOFError:
+        process.join()
+        raise SoakError(f"a run ended before its time, with exit code {process.exitcode}") from None
+    return told
 
 
 def soak(machine: Path, folder: Path, cycles: int, line: Connection) -> None:

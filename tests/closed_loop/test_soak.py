@@ -13,7 +13,7 @@ from lab.demo import plan_task, plant_of
 from lab.drives.bus import Disturbance, Mishap
 from lab.lockstep import FOLDERS, load
 from lab.soak.__main__ import judge, summary
-from lab.soak.pair import soak_twice
+from lab.soak.pair import SoakError, soak_twice
 from lab.soak.run import Finding, SoakRun
 
 ROOT = Path(__file__).parents[2]
@@ -130,6 +130,12 @@ def test_a_defect_of_the_runtime_is_found(
 
     found = findings_in_a_copy(act)
     assert words in found and bool(words) == bool(found)
+
+
+def test_a_run_that_dies_is_told(tmp_path: Path) -> None:
+    nowhere = tmp_path / "nowhere.toml"
+    with pytest.raises(SoakError, match="exit code 1"):
+        soak_twice(nowhere, tmp_path, 1, lambda done: None)
 
 
 def test_runs_that_differ_or_have_stopped_are_told() -> None:
