@@ -17,7 +17,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test figures bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test soak figures bench lint lock clean distclean
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
 	@$(MAKE) --no-print-directory generate
@@ -86,6 +86,9 @@ demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 
 test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n 2 --dist worksteal $(TEST_FOLDERS)
+
+soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
+	$(VENV)/bin/python -m lab.soak $(CYCLES:%=--cycles %)
 
 figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
 	$(VENV)/bin/python -m lab.figures

@@ -1,6 +1,7 @@
 """Listens to the buses of a simulated machine: setpoints that must not be, a log, a fingerprint."""
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
 from struct import Struct
@@ -38,9 +39,10 @@ class _Setpoints:
 
 
 class SetpointWatch:
-    """Checks every setpoint the master sends: within limits and rate, one for each SYNC.
+    """Checks every setpoint: within limits and rate, one for each SYNC.
 
-    Give it to Lockstep.taps. findings: what was wrong, in words; count: how often; seen: setpoints.
+    Give it to Lockstep.taps for what the master sends, or let it listen to what arrives. findings:
+    what was wrong, in words; count: how often; seen: setpoints.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -54,6 +56,11 @@ class SetpointWatch:
         self._of_bus: list[list[_Setpoints]] = [[] for _ in machine.buses]
         for (bus, _), setpoints in self._watched.items():
             self._of_bus[bus].append(setpoints)
+
+    def listen(self, buses: list[SimulatedBus]) -> None:
+        """Check what arrives on the buses from here on."""
+        for number, bus in enumerate(buses):
+            bus.listeners.append(heard_from_master(number, self))
 
     def __call__(self, bus: int, frame: Frame) -> None:
         """A frame of the master, on a bus."""
@@ -102,6 +109,16 @@ class SetpointWatch:
         self.count += 1
         if len(self.findings) < MOST_KEPT:
             self.findings.append(f"SYNC {self._syncs}: {setpoints.axis.drive.name}: {what}")
+
+
+def heard_from_master(bus: int, tell: Callable[[int, Frame], None]) -> Listener:
+    """Tells of every frame on a bus that no drive sent."""
+
+    def listen(frame: Frame, from_drive: bool) -> None:
+        if not from_drive:
+            tell(bus, frame)
+
+    return listen
 
 
 def _watched(machine: Machine, axis: Axis) -> _Setpoints:

@@ -78,15 +78,17 @@ class Cue:
     def __init__(self, path: Path) -> None:
         self._path = path
         self._begun: float | None = None
+        self._repeats = False
 
-    def begin(self, time: float) -> None:
-        """The cue, at `time` [s]; a second one changes nothing."""
+    def begin(self, time: float, repeat: bool = False) -> None:
+        """The cue, at `time` [s], for once or over and over; a second one changes nothing."""
         if self._begun is None:
-            self._begun = time
+            self._begun, self._repeats = time, repeat
 
     def elapsed(self, time: float) -> float:
         """Time on the path [s]; 0 before the cue."""
-        return 0.0 if self._begun is None else time - self._begun
+        since = 0.0 if self._begun is None else time - self._begun
+        return since % self._path.end if self._repeats else since
 
     def at(self, time: float) -> tuple[Pair, Pair, Pair]:
         """Position [m], velocity [m/s] and acceleration [m/s^2] that the hand wants."""

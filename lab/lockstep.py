@@ -27,7 +27,8 @@ PORTABLE_CAN = (CAN / "can.c", CAN / "loopback.c")
 FRAME = Struct("<BBH8s")
 ROOM = 256
 """Frames that one step of the master can send at most."""
-
+READY = 4
+"""TB_PHASE_READY."""
 
 Tap = Callable[[int, Frame], None]
 """Takes the number of a bus and a frame."""
@@ -70,7 +71,8 @@ class Lockstep:
 
     cycle() runs one cycle; `view` is what is to be seen of the last one: state, phase, cause,
     culprit, index, subindex, failure, detail, beat, status, pose, residual, wanted_force,
-    delivered_force, tension, zeros, position, power. SI units, numbers as in the C headers.
+    delivered_force, tension, zeros, position, ordered, power. SI units, numbers as in the C
+    headers.
     """
 
     def __init__(self, generated: Generated, machine: SimulatedMachine) -> None:
@@ -86,6 +88,8 @@ class Lockstep:
         self.hand_force_fresh = True
         self.taps: list[Tap] = []
         """Told of every frame the master sends, before anything can happen to it."""
+        self.lost = 0
+        """Frames of the drives that the master's ports did not take."""
         self.missed = 0
         """Cycles that are told to have been skipped; counts once."""
         self._library = load(generated)
@@ -103,6 +107,12 @@ class Lockstep:
         self._library.shim_look(self._memory, pointer(self._view))
         seen: np.void = self._view[0]
         return seen
+
+    @property
+    def wishes(self) -> np.void:
+        """What the application wished in the last cycle: tb_wishes."""
+        wished: np.void = self._wishes[0]
+        return wished
 
     @property
     def state(self) -> State:
@@ -132,6 +142,24 @@ class Lockstep:
             if self.state in states:
                 break
         return self.state
+
+    def bring_up(self, most: int) -> State:
+        """Arm the machine once it is ready, and run until it works, `most` cycles at most; the
+        state at the end."""
+        for _ in range(most):
+            self.requests = Request.ARM if self._is_ready and self.cycles % 2 else Request(0)
+            self.cycle()
+            if self.state in (State.RUN, State.FAULT):
+                break
+        return self.state
+
+    @property
+    def _is_ready(self) -> bool:
+        return self.state is State.CONFIGURE and self.view["phase"] == READY
+
+    def exchange_runtime(self, library: ctypes.CDLL) -> None:
+        """Go on with another build of the runtime, whose memory has the same layout."""
+        self._library = library
 
     def set_bus(self, bus: int, state: BusState, full: bool = False) -> None:
         """Fault: bring a bus into a state; full: it takes no frames (ENOBUFS)."""
@@ -163,7 +191,8 @@ class Lockstep:
             for cob, data in bus.take()
         ]
         if packed:
-            self._library.shim_give(self._memory, b"".join(packed), len(packed))
+            taken = self._library.shim_give(self._memory, b"".join(packed), len(packed))
+            self.lost += len(packed) - taken
 
     def _check_sizes(self, wishes: np.dtype[np.void], view: np.dtype[np.void]) -> None:
         for name, layout in (("wishes", wishes), ("view", view)):
@@ -172,11 +201,11 @@ class Lockstep:
                 raise RuntimeError(f"shim_{name} has {size} bytes in C, {layout.itemsize} here")
 
 
-def load(generated: Generated) -> ctypes.CDLL:
-    """The runtime of a machine with its buses in memory."""
-    sources = [path for folder in FOLDERS for path in sorted(folder.glob("*.c"))]
+def load(generated: Generated, folders: Sequence[Path] = FOLDERS) -> ctypes.CDLL:
+    """The runtime of a machine with its buses in memory; folders: of its core and canopen."""
+    sources = [path for folder in folders for path in sorted(folder.glob("*.c"))]
     sources += [*sorted(generated.folder.glob("*.c")), *PORTABLE_CAN, SHIM]
-    include = [generated.folder, *FOLDERS, CAN]
+    include = [generated.folder, *folders, CAN]
     library = ctypes.CDLL(str(compile_library(sources, include, generated.precision)))
     for name in ("machine_size", "wishes_size", "view_size", "sync", "run", "give"):
         getattr(library, f"shim_{name}").restype = ctypes.c_size_t
@@ -214,6 +243,7 @@ def layouts(generated: Generated) -> tuple[np.dtype[np.void], np.dtype[np.void]]
         ("tension", reals, n),
         ("zeros", reals, n),
         ("position", reals, drives),
+        ("ordered", reals, drives),
         ("power", word, drives),
     ]
     return np.dtype(wishes, align=True), np.dtype(view, align=True)

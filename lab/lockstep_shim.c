@@ -33,6 +33,7 @@ typedef struct {
     real_t tension[TB_CABLES];
     real_t zeros[TB_CABLES];
     real_t position[TB_DRIVES];
+    real_t ordered[TB_DRIVES]; /* N m; m of a drive that follows a position */
     uint32_t power[TB_DRIVES];
 } shim_view;
 
@@ -150,7 +151,9 @@ void shim_look(const shim_machine *machine, shim_view *view)
         view->zeros[i] = master->supervisor.calibration.zeros[i];
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
+        const tb_drive_order *const order = &orders->drives[i];
         view->position[i] = master->seen.drives[i].position;
+        view->ordered[i] = (tb_drives[i].mode == 1) ? order->position : order->torque;
         view->power[i] = master->seen.drives[i].power;
     }
 }

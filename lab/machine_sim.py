@@ -55,9 +55,9 @@ class SimulatedMachine:
         self._at_power_on = self.world.lengths
         self._look()
 
-    def begin_task(self) -> None:
-        """The hand begins to move."""
-        self._cue.begin(self.world.time)
+    def begin_task(self, repeat: bool = False) -> None:
+        """The hand begins to move, once through the task or over and over."""
+        self._cue.begin(self.world.time, repeat)
 
     @property
     def task_force(self) -> Pair:

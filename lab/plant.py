@@ -105,15 +105,22 @@ class PlanarPlant:
         blocked: set[int] = set()
         while True:
             acceleration = self._solve(push, pulls, drives, blocked)
-            stopped = {i for i, strand in enumerate(self._strands) if strand.is_pushed_off()}
-            released = [strand for strand in self._strands if strand.tension < 0.0]
-            if not stopped and not released:
+            if not self._give_way(blocked):
                 break
-            blocked |= stopped
-            for strand in released:
-                strand.release()
         self._weigh(push, acceleration)
         return acceleration
+
+    def _give_way(self, blocked: set[int]) -> bool:
+        """Stop carriages at their ends and let slack what would push; whether there was any."""
+        given = False
+        for index, strand in enumerate(self._strands):
+            if strand.is_pushed_off():
+                blocked.add(index)
+                given = True
+            if strand.tension < 0.0:
+                strand.release()
+                given = True
+        return given
 
     def _solve(
         self, push: Pair, pulls: Sequence[float], drives: Sequence[float], blocked: set[int]
@@ -121,8 +128,9 @@ class PlanarPlant:
         fx, fy = push
         for index, strand in enumerate(self._strands):
             strand.balance(pulls[index], drives[index], index in blocked)
-            fx += strand.unit[0] * strand.pull
-            fy += strand.unit[1] * strand.pull
+            (ux, uy), pull = strand.unit, strand.pull
+            fx += ux * pull
+            fy += uy * pull
         acceleration = self._divide_by_mass(fx, fy)
         for index, strand in enumerate(self._strands):
             strand.settle(acceleration, index in blocked)
@@ -132,13 +140,16 @@ class PlanarPlant:
         """What a force sensor in the handle and a tension sensor in every cable would read."""
         mass, (ax, ay) = self._holder.mass, acceleration
         self.hand_force = push[0] - mass * ax, push[1] - mass * ay
-        self.cable_force = (
-            sum(strand.tension * strand.unit[0] for strand in self._strands),
-            sum(strand.tension * strand.unit[1] for strand in self._strands),
-        )
-        tensions = self.tensions
-        self.lowest_tension = min(self.lowest_tension, *tensions)
-        self.highest_tension = max(self.highest_tension, *tensions)
+        fx = fy = 0.0
+        lowest, highest = self.lowest_tension, self.highest_tension
+        for strand in self._strands:
+            tension = strand.tension
+            fx += tension * strand.unit[0]
+            fy += tension * strand.unit[1]
+            lowest = tension if tension < lowest else lowest
+            highest = tension if tension > highest else highest
+        self.cable_force = fx, fy
+        self.lowest_tension, self.highest_tension = lowest, highest
 
     def _move(self, acceleration: Pair) -> None:
         """Semi-implicit Euler: speeds first, positions with the new speeds."""

@@ -16,7 +16,7 @@ and motor at one speed. A broken cable never takes hold again.
 """
 
 from dataclasses import dataclass
-from math import copysign, exp, hypot
+from math import exp, hypot
 
 from model.base import BaseMotion
 from model.machine import Machine, Plant
@@ -44,8 +44,10 @@ class Friction:
 
     def slide(self, distance: float) -> None:
         """Let the grip follow a motion over `distance` [m], exactly however long that is."""
-        target = copysign(1.0, distance)
-        self.grip = target + (self.grip - target) * exp(-abs(distance) / PRESLIDING)
+        if distance > 0.0:
+            self.grip = 1.0 + (self.grip - 1.0) * exp(-distance / PRESLIDING)
+        elif distance < 0.0:
+            self.grip = (self.grip + 1.0) * exp(distance / PRESLIDING) - 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +74,7 @@ class Strand:
     acceleration: float = 0.0  # m/s^2, of the carriage
     length: float = 0.0  # m, from the handle to the base
     unit: Pair = (0.0, 0.0)  # lhat, from the handle to the base
+    along: float = 0.0  # share of it along the rail
     rate: float = 0.0  # m/s, l'
     swing: float = 0.0  # m/s^2, (|w|^2 - l'^2) / l
     tension: float = 0.0  # N
@@ -98,15 +101,16 @@ class Strand:
         (x0, y0), (ex, ey) = self.rail.origin, self.rail.direction
         dx, dy = x0 + self.s * ex - position[0], y0 + self.s * ey - position[1]
         wx, wy = self.speed * ex - velocity[0], self.speed * ey - velocity[1]
-        self.length = hypot(dx, dy)
-        self.unit = ux, uy = dx / self.length, dy / self.length
-        self.rate = ux * wx + uy * wy
-        self.swing = (wx * wx + wy * wy - self.rate * self.rate) / self.length
+        self.length = length = hypot(dx, dy)
+        self.unit = ux, uy = dx / length, dy / length
+        self.along = ux * ex + uy * ey
+        self.rate = rate = ux * wx + uy * wy
+        self.swing = (wx * wx + wy * wy - rate * rate) / length
 
     def balance(self, motor_pull: float, rail_force: float, blocked: bool) -> None:
         """Find pull and inertia; motor_pull [N] = tau / r, rail_force [N] on the carriage."""
         mobility = 0.0 if blocked else self.rail.mobility
-        along = self._along_rail()
+        along = self.along
         free = mobility * (rail_force - self.carriage_friction.force(self.speed))
         self.acceleration = free
         if not self.taut:
@@ -114,17 +118,18 @@ class Strand:
             resisted = motor_pull + self.motor_friction.force(self.loose_rate)
             self.loose_acceleration = -resisted / self.motor_mass
             return
-        self.inertia = self.motor_mass / (1.0 + self.motor_mass * along * along * mobility)
+        mass = self.motor_mass
+        self.inertia = inertia = mass / (1.0 + mass * along * along * mobility)
         held = motor_pull + self.motor_friction.force(self.rate)
-        share = self.inertia / self.motor_mass
-        self.pull = share * held + self.inertia * (along * free + self.swing)
+        self.pull = inertia / mass * held + inertia * (along * free + self.swing)
 
     def settle(self, acceleration: Pair, blocked: bool) -> None:
         """Find tension and carriage acceleration from the handle's acceleration [m/s^2]."""
         ux, uy = self.unit
-        self.tension = self.pull - self.inertia * (ux * acceleration[0] + uy * acceleration[1])
-        mobility = 0.0 if blocked else self.rail.mobility
-        self.acceleration -= mobility * self._along_rail() * self.tension
+        tension = self.pull - self.inertia * (ux * acceleration[0] + uy * acceleration[1])
+        self.tension = tension
+        if not blocked:
+            self.acceleration -= self.rail.mobility * self.along * tension
 
     def move(self, step: float) -> None:
         """Move carriage and motor for `step` seconds; the rail's ends stop it dead."""
@@ -151,12 +156,12 @@ class Strand:
     def yielding(self) -> float:
         """Speed [m/s] that a jerk of 1 N s takes from the gap between cable and distance, the
         handle held: what carriage and motor give."""
-        along = self._along_rail()
+        along = self.along
         return 1.0 / self.motor_mass + along * along * self.rail.mobility
 
     def jerk(self, impulse: float) -> None:
         """Let an impulse [N s] of the cable's tension act on the carriage."""
-        self.speed -= self.rail.mobility * self._along_rail() * impulse
+        self.speed -= self.rail.mobility * self.along * impulse
 
     def _turn_motor(self, step: float) -> None:
         if self.taut:
@@ -171,10 +176,6 @@ class Strand:
         return (self.s <= self.rail.first and self.acceleration < 0.0) or (
             self.s >= self.rail.last and self.acceleration > 0.0
         )
-
-    def _along_rail(self) -> float:
-        (ux, uy), (ex, ey) = self.unit, self.rail.direction
-        return ux * ex + uy * ey
 
 
 def strands(machine: Machine, plant: Plant) -> list[Strand]:

@@ -3,6 +3,7 @@
 from rich.console import Console
 
 from lab.benchmark.cortex_m4.comparison import count_instructions
+from lab.benchmark.cycle.cost import cycle_costs
 from lab.benchmark.map.comparison import compare_maps
 from lab.benchmark.native import ROOT
 from lab.benchmark.report import Results, show, write_json
@@ -34,12 +35,14 @@ def main() -> None:
         table1 = compare_table1(square)
     with console.status("timing the controller step"):
         step = compare_steps(machine, generated, PROBLEMS, REPETITIONS)
+    with console.status("timing the control cycle"):
+        cycles = cycle_costs(machine, generated, PROBLEMS, REPETITIONS)
     with console.status("counting instructions on a Cortex-M4F"):
         counts = count_instructions(machine, generated, CALLS, SEED)
     with console.status("timing the map"):
         maps = compare_maps(machine, generated, REPETITIONS)
-    promised = targets(tension, table1, step, maps)
-    results = Results(MACHINE, tension, table1, step, counts, maps, promised)
+    promised = targets(tension, table1, step, cycles, maps)
+    results = Results(MACHINE, tension, table1, step, cycles, counts, maps, promised)
     show(results, console)
     write_json(results, ROOT / "build" / "bench.json")
 

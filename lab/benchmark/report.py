@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from lab.benchmark.cortex_m4.comparison import CountRow
+from lab.benchmark.cycle.cost import CycleRow
 from lab.benchmark.map.comparison import MapRow, MapTable
 from lab.benchmark.solvers.turnbuckle import OURS
 from lab.benchmark.step.comparison import StepRow
@@ -32,6 +33,7 @@ class Results:
     tension: list[TensionTable]
     table1: Table1
     step: list[StepRow]
+    cycle: list[CycleRow]
     cortex_m4: list[CountRow]
     maps: list[MapTable]
     targets: list[Target]
@@ -49,6 +51,7 @@ def show(results: Results, console: Console) -> None:
         console.print(tension_table(table))
     console.print(table1_view(results.table1))
     console.print(step_table(results.step))
+    console.print(cycle_table(results.cycle))
     console.print(count_table(results.cortex_m4))
     for each in results.maps:
         console.print(map_table(each))
@@ -100,6 +103,19 @@ def step_table(rows: Sequence[StepRow]) -> Table:
             f"{row.timing.least / ours:.2f}",
             f"{row.torque_error:.1e}",
             f"{row.force_error:.1e}",
+        )
+    return view
+
+
+def cycle_table(rows: Iterable[CycleRow]) -> Table:
+    """The whole control cycle on the host."""
+    columns = ("name", "least ns", "median ns", "frames")
+    what = "reading frames, supervisor, controller step, recorder, sending; buses in memory"
+    view = new_table("Control cycle at work, this host", columns, what)
+    for row in rows:
+        timing = row.timing
+        view.add_row(
+            row.precision, f"{timing.least:.0f}", f"{timing.median:.0f}", f"{row.frames:.1f}"
         )
     return view
 

@@ -48,8 +48,7 @@ class Runner:
         """Run until it is over."""
         due = time.monotonic() + self._interval
         while not is_over():
-            self._wait(due - time.monotonic())
-            self._exchange()
+            self._exchange(due - time.monotonic())
             due = self._catch_up(due)
 
     def _catch_up(self, due: float) -> float:
@@ -62,22 +61,22 @@ class Runner:
         while due <= now:
             self._simulation.advance()
             self._answer()
-            self._exchange()
+            self._exchange(0.0)
             due += self._interval
         return due
 
-    def _wait(self, seconds: float) -> None:
-        """Until a frame comes or the time is over."""
-        if seconds <= 0.0:
-            return
-        if min(self._files) >= 0:
-            select.select(self._files, [], [], seconds)
-        else:
-            time.sleep(min(seconds, POLL))
+    def _waiting(self, seconds: float) -> list[tuple[can.BusABC, SimulatedBus]]:
+        """Where frames have come, or do within the time."""
+        if min(self._files) < 0:
+            time.sleep(max(0.0, min(seconds, POLL)))
+            return self._pairs
+        ready, _, _ = select.select(self._files, [], [], max(0.0, seconds))
+        return [self._pairs[self._files.index(file)] for file in ready]
 
-    def _exchange(self) -> None:
-        for port, bus in self._pairs:
-            while (message := port.recv(timeout=0)) is not None:
+    def _exchange(self, seconds: float) -> None:
+        """Hand the drives what comes, and back what they answer; wait for it if there is time."""
+        for port, bus in self._waiting(seconds):
+            while (message := receive(port)) is not None:
                 if is_for_drives(message):
                     bus.send(Frame(message.arbitration_id, bytes(message.data)))
                     self._answer()
@@ -94,6 +93,14 @@ def file_of(port: can.BusABC) -> int:
         return port.fileno()
     except NotImplementedError:
         return -1
+
+
+def receive(port: can.BusABC) -> can.Message | None:
+    """The next frame; None when there is none, or the interface was taken down."""
+    try:
+        return port.recv(timeout=0)
+    except can.CanOperationError:
+        return None
 
 
 def send(port: can.BusABC, message: can.Message) -> None:

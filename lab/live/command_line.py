@@ -134,8 +134,11 @@ def refuse_contradictions(
     sim: bool, bus: list[str] | None, pace: int | None, seconds: float | None
 ) -> None:
     """Options that do not go together."""
-    if sim and bus:
-        raise typer.BadParameter("--bus is for real adapters, --sim for simulated drives")
+    if sim and not all("=socketcan:" in each for each in bus or ()):
+        raise typer.BadParameter(
+            "--bus is for real adapters, --sim for simulated drives; together they take interfaces"
+            " of the kernel alone, such as --bus cable1=socketcan:vcan0"
+        )
     if pace is not None and not sim:
         raise typer.BadParameter("--pace stretches time: real drives do not; only with --sim")
     if seconds is not None and not 0 < seconds < 1e9:

@@ -12,6 +12,7 @@ from pathlib import Path
 from lab.live import LiveError
 from lab.live.identity import refuse_other
 from lab.live.program import build_program
+from lab.live.simulated import Bench, simulated_drives
 from lab.live.telemetry import Telemetry, default_path
 from lab.live.words import STATES, word
 from model.machine import Machine
@@ -57,12 +58,20 @@ def run_machine(machine: Machine, order: Order, say: Say) -> int:
     with ExitStack() as stack:
         buses = order.buses
         if order.simulated:
-            from lab.live.simulated import simulated_drives
-
-            buses = stack.enter_context(simulated_drives(machine, order.pace, telemetry))
+            drives = simulated_drives(bench_of(machine), order.pace, telemetry, order.buses)
+            buses = stack.enter_context(drives)
         process = start(program, arguments(machine, order, buses))
         stack.callback(finish, process)
         return follow(process, telemetry, say)
+
+
+def bench_of(machine: Machine) -> Bench:
+    """What simulated drives simulate; MachineError for a machine that cannot be simulated."""
+    from codegen.bind import load
+    from lab.demo import plan_task, plant_of
+
+    plant = plant_of(machine)
+    return Bench(machine, plant, plan_task(load(machine.path)))
 
 
 def arguments(machine: Machine, order: Order, buses: Sequence[str]) -> list[str]:

@@ -132,5 +132,9 @@ def test_the_monitor_shows_the_machine_at_work(story: Story) -> None:
         assert words in story.picture
 
 
-def test_the_flight_recorder_is_written(story: Story) -> None:
+def test_what_the_executable_recorded_runs_again_to_the_bit(story: Story, file: Path) -> None:
     assert story.record.read_bytes()[:8] == b"TBFLIGHT"
+    replay = [*COMMAND, "replay", str(story.record), str(file)]
+    done = subprocess.run(replay, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "to the bit" in done.stdout

@@ -1,0 +1,90 @@
+"""What a master hears from power-on to work, recorded in lockstep, to be run without drives."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from codegen.bind import Generated
+from lab.demo import plan_task, plant_of
+from lab.drives.bus import Listener
+from lab.drives.node import Frame
+from lab.lockstep import FRAME, Lockstep, State
+from lab.machine_sim import SimulatedMachine
+from model.reference.control import base_targets
+
+TPDO, LAST_TPDO = 0x180, 0x1FF
+LONGEST_BRING_UP = 60_000
+
+
+@dataclass(frozen=True)
+class Cycles:
+    """Cycles one after the other: what was wished, and the frames that came."""
+
+    wishes: NDArray[np.void]
+    arrived: NDArray[np.uint32]  # (k, 2): in answer to SYNC, and after the setpoints
+    frames: bytes
+    end: bytes
+    """What is to be seen of the last of them."""
+
+
+class Recorder:
+    """A machine in lockstep, and all that its master hears."""
+
+    def __init__(self, generated: Generated) -> None:
+        task = plan_task(generated)
+        rails = base_targets(generated.machine, task.path.at(0.0)[0]).tolist()
+        plant = plant_of(generated.machine)
+        machine = SimulatedMachine(generated.machine, plant, task, rails)
+        self._lockstep = Lockstep(generated, machine)
+        self._answers: list[bytes] = []
+        self._others: list[bytes] = []
+        for number, bus in enumerate(machine.buses):
+            bus.listeners.append(self._listener(number))
+        self._forget()
+
+    def bring_up(self) -> Cycles:
+        """From power-on to work."""
+        while self._lockstep.state is not State.RUN and len(self._wishes) < LONGEST_BRING_UP:
+            self._lockstep.bring_up(1)
+            self._keep()
+        self._lockstep.machine.begin_task(repeat=True)
+        return self._kept()
+
+    def work(self, cycles: int) -> Cycles:
+        """So many cycles of work."""
+        for _ in range(cycles):
+            self._lockstep.cycle()
+            self._keep()
+        return self._kept()
+
+    def _forget(self) -> None:
+        self._wishes: list[np.void] = []
+        self._arrived: list[tuple[int, int]] = []
+        self._frames: list[bytes] = []
+
+    def _keep(self) -> None:
+        """A cycle is over."""
+        self._wishes.append(self._lockstep.wishes.copy())
+        self._arrived.append((len(self._answers), len(self._others)))
+        self._frames += self._answers + self._others
+        self._answers.clear()
+        self._others.clear()
+
+    def _kept(self) -> Cycles:
+        kept = Cycles(
+            np.array(self._wishes),
+            np.array(self._arrived, np.uint32),
+            b"".join(self._frames),
+            self._lockstep.view.tobytes(),
+        )
+        self._forget()
+        return kept
+
+    def _listener(self, number: int) -> Listener:
+        def listen(frame: Frame, from_drive: bool) -> None:
+            if from_drive:
+                kept = self._answers if TPDO < frame.cob <= LAST_TPDO else self._others
+                kept.append(FRAME.pack(number, len(frame.data), frame.cob, frame.data))
+
+        return listen
