@@ -22,7 +22,7 @@ SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
 	@$(MAKE) --no-print-directory generate
 	@$(MAKE) --no-print-directory verify
-	@$(MAKE) --no-print-directory build
+	@$(MAKE) --no-print-directory --jobs=2 build
 	@$(MAKE) --no-print-directory demo
 
 help: ## list the targets

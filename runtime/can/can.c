@@ -60,6 +60,7 @@ uint8_t tb_can_code_of_length(uint8_t length)
 
 const char *tb_can_result_text(tb_can_result result)
 {
-    bool const known = (result >= TB_CAN_OK) && (result < TB_CAN_RESULTS);
-    return known ? texts[result] : "unknown result";
+    /* as an unsigned number: an ARM compiler may give the enumeration no negative values to compare */
+    unsigned const index = (unsigned)result;
+    return (index < (unsigned)TB_CAN_RESULTS) ? texts[index] : "unknown result";
 }
