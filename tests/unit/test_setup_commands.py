@@ -59,7 +59,9 @@ def test_a_changed_lock_asks_for_a_new_set_up(tmp_path: Path) -> None:
     assert run("make", "--question", "setup", folder=tmp_path).returncode == 1
 
 
-def test_clean_c_is_compiled_by_both_compilers_in_both_precisions_and_for_arm(tmp_path: Path) -> None:
+def test_clean_c_is_compiled_by_both_compilers_in_both_precisions_and_for_arm(
+    tmp_path: Path,
+) -> None:
     result = lint_c(tmp_path, CLEAN)
     assert (result.returncode, result.stdout) == (0, "C: 15 compilations without a warning\n")
 
