@@ -1,9 +1,7 @@
 """The command line: check a machine file, analyze it, generate its C, verify it, try it.
 
-Exit status: 0 done; 1 the check failed; 2 it cannot be done, and the message says why; 3 nothing
-better was found; 130 the user stopped it. What a command finds goes to stdout, what it says about
-itself to stderr. The modules behind a command are imported by that command alone, so that the
-quick ones are quick.
+Every command is in the command_line.py of its subject; here they become one program. The modules
+behind a command are imported by that command alone, so that the quick ones are quick.
 """
 
 from __future__ import annotations
@@ -16,16 +14,27 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from lab.flight import command_line as flight
-from lab.live import command_line as live
-from model.bus import command_line as bus_proof
+from lab.flight.command_line import log, replay
+from lab.live.command_line import monitor, run
+from model.bus.command_line import bus
+from model.command_line import check
+from model.terminal import (
+    FAILED_CHECK,
+    INTERRUPTED,
+    NOTHING_BETTER,
+    MachineFile,
+    complain,
+    fail,
+    progress,
+    working,
+)
 
 if TYPE_CHECKING:
     from codegen.verify import Report, Row
@@ -34,11 +43,8 @@ if TYPE_CHECKING:
     from lab.design.results import Results
     from model.machine import Machine
 
-FAILED_CHECK, CANNOT, NOTHING_BETTER, INTERRUPTED = 1, 2, 3, 130
 # Errors larger than these are shown as larger.
 LARGEST_SHARE, LARGEST_ULP = 9.99, 1e5
-
-MachineFile = Annotated[Path, typer.Argument(help="The machine file.", show_default=False)]
 
 Vary = Annotated[
     list[str],
@@ -126,22 +132,6 @@ def describe_turnbuckle(
     """
 
 
-@app.command()
-def check(file: MachineFile) -> None:
-    """Say what machine a file describes, or what is wrong.
-
-    \b
-    Example:
-      turnbuckle check machines/yoon2023.toml
-    """
-    with errors_in_words():
-        table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
-        for label, value in read(file).describe():
-            table.add_row(Text(label, style="bold"), Text(value))
-        Console().print(table)
-
-
-@app.command()
 def generate(
     file: MachineFile,
     out: Annotated[
@@ -171,13 +161,12 @@ def generate(
       turnbuckle generate machines/yoon2023.toml --out firmware/controller
     """
     begin = time.perf_counter()
-    with errors_in_words():
-        machine = read(file)
-        folder = out or Path("generated") / machine.name
-        warn_of_weakness(machine, strict)
-        with working(f"generating {machine.name}"):
-            files, changed = write_changed(machine, folder)
-        say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
+    machine = read(file)
+    folder = out or Path("generated") / machine.name
+    warn_of_weakness(machine, strict)
+    with working(f"generating {machine.name}"):
+        files, changed = write_changed(machine, folder)
+    say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
 
 
 def warn_of_weakness(machine: Machine, strict: bool) -> None:
@@ -234,7 +223,6 @@ def say_what_was_generated(
     )
 
 
-@app.command()
 def verify(
     file: MachineFile,
     points: Annotated[
@@ -254,13 +242,12 @@ def verify(
     Example:
       turnbuckle verify machines/yoon2023.toml --points 500 --json > report.json
     """
-    with errors_in_words():
-        read(file)  # a mistake is told before the slow imports
-        report = judged(file, points)
-        if as_json:
-            typer.echo(json.dumps(finite(report.to_json()), indent=2))
-        else:
-            show_report(report)
+    read(file)  # a mistake is told before the slow imports
+    report = judged(file, points)
+    if as_json:
+        typer.echo(json.dumps(finite(report.to_json()), indent=2))
+    else:
+        show_report(report)
     if not report.passed:
         complain(f"{file}: the generated C is not what the reference computes")
         raise typer.Exit(FAILED_CHECK)
@@ -344,7 +331,6 @@ def failure_in_words(row: Row) -> str:
     return f"FAILED {row.function}, {row.output}, {row.precision}: {'; '.join(reasons)}"
 
 
-@app.command()
 def analyze(
     file: MachineFile,
     out: Annotated[
@@ -368,21 +354,19 @@ def analyze(
     Example:
       turnbuckle analyze machines/yoon2023.toml --out analysis --lag 10
     """
-    with errors_in_words():
-        machine = read(file)
-        folder = out or Path("build/analysis") / machine.name
-        from lab.analysis.analyze import analyze as look_at
-        from lab.analysis.report import rows, verdict
+    machine = read(file)
+    folder = out or Path("build/analysis") / machine.name
+    from lab.analysis.analyze import analyze as look_at
+    from lab.analysis.report import rows, verdict
 
-        with progress() as tell:
-            findings = look_at(machine, folder, lag / 1e3, tell)
-        show_rows(["", machine.name], rows(findings))
-        typer.echo(f"{verdict(findings)}\nreport: {folder / 'report.md'}")
+    with progress() as tell:
+        findings = look_at(machine, folder, lag / 1e3, tell)
+    show_rows(["", machine.name], rows(findings))
+    typer.echo(f"{verdict(findings)}\nreport: {folder / 'report.md'}")
     if not findings.target.passed:
         raise typer.Exit(FAILED_CHECK)
 
 
-@app.command()
 def compare(
     file: MachineFile,
     other: Annotated[Path, typer.Argument(help="Another machine file.", show_default=False)],
@@ -403,17 +387,16 @@ def compare(
     Example:
       turnbuckle compare machines/yoon_fixed_diagonal.toml machines/yoon2023.toml
     """
-    with errors_in_words():
-        machines = read(file), read(other)
-        from lab.analysis.compare import compare as put_side_by_side
+    machines = read(file), read(other)
+    from lab.analysis.compare import compare as put_side_by_side
 
-        with progress() as tell:
-            comparison = put_side_by_side(machines, out, lag / 1e3, tell)
-        names = comparison.names
-        show_rows(["changed key", *names], comparison.changes or [("nothing", "", "")])
-        show_rows(["", *names, "change"], comparison.rows)
-        if out is not None:
-            typer.echo(f"report: {out / 'report.md'}")
+    with progress() as tell:
+        comparison = put_side_by_side(machines, out, lag / 1e3, tell)
+    names = comparison.names
+    show_rows(["changed key", *names], comparison.changes or [("nothing", "", "")])
+    show_rows(["", *names, "change"], comparison.rows)
+    if out is not None:
+        typer.echo(f"report: {out / 'report.md'}")
 
 
 def show_rows(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
@@ -427,7 +410,6 @@ def show_rows(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     Console().print(table)
 
 
-@app.command()
 def demo(
     file: MachineFile,
     out: Annotated[
@@ -442,17 +424,15 @@ def demo(
     Example:
       turnbuckle demo machines/yoon2023.toml --out pictures
     """
-    with errors_in_words():
-        read(file)  # a mistake is told before the slow imports
-        from lab.demo import run_demo, summary_table
+    read(file)  # a mistake is told before the slow imports
+    from lab.demo import run_demo, summary_table
 
-        with progress() as tell:
-            result = run_demo(file, out, tell)
-        Console().print(summary_table(result))
-        typer.echo(f"picture: {result.picture}")
+    with progress() as tell:
+        result = run_demo(file, out, tell)
+    Console().print(summary_table(result))
+    typer.echo(f"picture: {result.picture}")
 
 
-@app.command()
 def optimise(
     file: MachineFile,
     vary: Vary,
@@ -483,16 +463,15 @@ def optimise(
         --vary "cable[1].rail.from[1]=0 mm..300 mm"
     """
     path = out or Path(f"{file.stem}_optimised.toml")
-    with errors_in_words():
-        design = question(file, vary, goal)
-        refuse_count(design)
-        refuse_existing(path, force)
-        found, tried = improved(design, search, seed)
-        from lab.design.files import write_whole
+    design = question(file, vary, goal)
+    refuse_count(design)
+    refuse_existing(path, force)
+    found, tried = improved(design, search, seed)
+    from lab.design.files import write_whole
 
-        write_whole(path, found.text)
-        show_improvement(design, found)
-        typer.echo(f"{path}: written, the best of {tried} machines tried")
+    write_whole(path, found.text)
+    show_improvement(design, found)
+    typer.echo(f"{path}: written, the best of {tried} machines tried")
 
 
 def question(file: Path, vary: list[str], goal: str) -> Design:
@@ -545,7 +524,6 @@ def show_improvement(design: Design, found: Improvement) -> None:
     Console().print(table)
 
 
-@app.command()
 def study(
     file: MachineFile,
     vary: Vary,
@@ -587,19 +565,18 @@ def study(
       turnbuckle study machines/yoon2023.toml --out build/study \\
         --vary "tension.max=8 N..11 N:4" --vary "tension.min=1 N..3 N:3"
     """
-    with errors_in_words():
-        design = question(file, vary, goal)
-        from lab.design.results import Results
-        from lab.design.study import plan_study, run_study
+    design = question(file, vary, goal)
+    from lab.design.results import Results
+    from lab.design.study import plan_study, run_study
 
-        points, plan = plan_study(design, samples, seed)
-        with closing(Results(out, design, plan)) as results:
-            try:
-                with progress() as tell:
-                    run_study(design, points, results, scheduler, tell)
-            except KeyboardInterrupt:
-                fail(f"interrupted; {out}: {results.go_on()}", INTERRUPTED)
-        conclude_study(design, results)
+    points, plan = plan_study(design, samples, seed)
+    with closing(Results(out, design, plan)) as results:
+        try:
+            with progress() as tell:
+                run_study(design, points, results, scheduler, tell)
+        except KeyboardInterrupt:
+            fail(f"interrupted; {out}: {results.go_on()}", INTERRUPTED)
+    conclude_study(design, results)
 
 
 def conclude_study(design: Design, results: Results) -> None:
@@ -629,42 +606,12 @@ def read(file: Path) -> Machine:
 
 
 @contextmanager
-def working(what: str) -> Iterator[None]:
-    """A sign of life on a terminal's stderr while something without steps is done."""
-    with Console(stderr=True).status(Text(what)):
-        yield
-
-
-@contextmanager
-def progress() -> Iterator[Callable[[str, float], None]]:
-    """A progress bar on a terminal's stderr; told what is being done and the share that is done."""
-    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-
-    columns = (
-        SpinnerColumn(),
-        TextColumn("{task.description}", markup=False),
-        BarColumn(),
-        TimeElapsedColumn(),
-    )
-    console = Console(stderr=True)
-    with Progress(
-        *columns, console=console, transient=True, disable=not console.is_terminal
-    ) as bars:
-        bar = bars.add_task("starting", total=None)
-
-        def tell(stage: str, share: float) -> None:
-            bars.update(bar, description=stage, completed=share, total=1.0 if share else None)
-
-        yield tell
-
-
-@contextmanager
 def errors_in_words() -> Iterator[None]:
     """Turn what a user can cause into one message on stderr and an exit status."""
     try:
         yield
-    except BrokenPipeError:
-        raise  # the reader of our output has seen enough: typer ends quietly
+    except (BrokenPipeError, typer.Exit, typer.BadParameter):
+        raise  # typer knows how to end; a broken pipe is a reader that has seen enough
     except KeyboardInterrupt:
         fail("interrupted", INTERRUPTED)
     except OSError as error:
@@ -689,18 +636,23 @@ def refusals() -> tuple[type[Exception], ...]:
     return (*wrong_input, GenerateError, FolderError, CompileError)
 
 
-def fail(message: str, status: int = CANNOT) -> NoReturn:
-    """Say why on stderr, and end."""
-    complain(message)
-    raise typer.Exit(status)
-
-
-def complain(message: str) -> None:
-    """One message on stderr."""
-    typer.echo(f"turnbuckle: {message}", err=True)
-
-
-for command in (bus_proof.bus, live.run, live.monitor, flight.replay, flight.log):
+COMMANDS: tuple[Callable[..., None], ...] = (
+    check,
+    generate,
+    verify,
+    analyze,
+    compare,
+    demo,
+    optimise,
+    study,
+    bus,
+    run,
+    monitor,
+    replay,
+    log,
+)
+"""In the order of --help."""
+for command in COMMANDS:
     app.command()(errors_in_words()(command))
 
 if __name__ == "__main__":

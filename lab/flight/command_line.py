@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-FAILED_CHECK = 1
+from model.terminal import FAILED_CHECK
 
 Dump = Annotated[Path, typer.Argument(help="What the flight recorder wrote.", show_default=False)]
 OfMachine = Annotated[

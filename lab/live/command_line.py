@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from model.terminal import MachineFile
+
 if TYPE_CHECKING:
     from lab.live.telemetry import Request
 
@@ -23,7 +25,7 @@ DEFAULT_SIM_PACE = 10
 
 
 def run(
-    file: Annotated[Path, typer.Argument(help="The machine file.", show_default=False)],
+    file: MachineFile,
     bus: Annotated[
         list[str] | None,
         typer.Option(

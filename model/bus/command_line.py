@@ -1,7 +1,6 @@
 """The command `turnbuckle bus`."""
 
 import json
-from pathlib import Path
 from typing import Annotated, Literal
 
 import typer
@@ -9,9 +8,11 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from model.terminal import MachineFile
+
 
 def bus(
-    file: Annotated[Path, typer.Argument(help="The machine file.", show_default=False)],
+    file: MachineFile,
     as_json: Annotated[bool, typer.Option("--json", help="Print every message as JSON.")] = False,
 ) -> None:
     """Prove that every frame on the machine's buses is in time.
