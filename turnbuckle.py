@@ -6,21 +6,20 @@ behind a command are imported by that command alone, so that the quick ones are 
 
 from __future__ import annotations
 
-import json
 import math
 import sys
-import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from codegen.command_line import generate, verify
 from lab.flight.command_line import log, replay
 from lab.live.command_line import monitor, run
 from model.bus.command_line import bus
@@ -30,21 +29,15 @@ from model.terminal import (
     INTERRUPTED,
     NOTHING_BETTER,
     MachineFile,
-    complain,
     fail,
     progress,
-    working,
 )
 
 if TYPE_CHECKING:
-    from codegen.verify import Report, Row
     from lab.design.design import Design
     from lab.design.improve import Improvement
     from lab.design.results import Results
     from model.machine import Machine
-
-# Errors larger than these are shown as larger.
-LARGEST_SHARE, LARGEST_ULP = 9.99, 1e5
 
 Vary = Annotated[
     list[str],
@@ -130,205 +123,6 @@ def describe_turnbuckle(
     Exit status: 0 done, 1 the check failed, 2 it cannot be done (the message
     says why), 3 nothing better was found, 130 interrupted.
     """
-
-
-def generate(
-    file: MachineFile,
-    out: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="DIR",
-            help="Folder for the C files, new or generated before.  [default: generated/<name>]",
-            show_default=False,
-        ),
-    ] = None,
-    strict: Annotated[
-        bool,
-        typer.Option("--strict", help="Write nothing if the target's force is not to be had."),
-    ] = False,
-) -> None:
-    """Write the C of a machine.
-
-    Files are left alone when nothing changed. The first time, measuring the
-    accuracy of every function takes a while; the measurements are kept.
-
-    Warns where the cables cannot give the wanted force (and moment) in all of
-    the target, judged on a coarse grid; with --strict that is a failure, with
-    exit status 1. The command analyze looks more closely.
-
-    \b
-    Example:
-      turnbuckle generate machines/yoon2023.toml --out firmware/controller
-    """
-    begin = time.perf_counter()
-    machine = read(file)
-    folder = out or Path("generated") / machine.name
-    warn_of_weakness(machine, strict)
-    with working(f"generating {machine.name}"):
-        files, changed = write_changed(machine, folder)
-    say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
-
-
-def warn_of_weakness(machine: Machine, strict: bool) -> None:
-    """Say so where the target does not get what it wants, and end if the user is strict."""
-    from model.workspace.summary import coarse_grid, coverage
-    from model.workspace.words import coverage_in_words
-
-    found = coverage(machine, coarse_grid(machine))
-    if found.complete:
-        return
-    message = f"{machine.path}: the cables give {coverage_in_words(machine, found)}"
-    if strict:
-        fail(f"{message}; nothing was written", FAILED_CHECK)
-    complain(f"warning: {message}")
-
-
-def write_changed(machine: Machine, folder: Path) -> tuple[dict[str, str], bool]:
-    """The generated files of a machine, and whether the folder had to be written."""
-    from codegen.folder import refuse_foreign
-    from codegen.generate import MANIFEST, generate, write
-
-    refuse_foreign(folder, MANIFEST)  # before the long work rather than after it
-    files = generate(machine)
-    changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
-    if changed:
-        write(files, folder)
-    return files, changed
-
-
-def content_of(path: Path) -> bytes | None:
-    """The bytes of a file, None where there is no such file."""
-    try:
-        return path.read_bytes()
-    except FileNotFoundError:
-        return None
-
-
-def say_what_was_generated(
-    machine: Machine, folder: Path, files: dict[str, str], changed: bool, seconds: float
-) -> None:
-    """One line of numbers, and every file with its size."""
-    from codegen.generate import MANIFEST
-
-    manifest = json.loads(files[MANIFEST])
-    functions = len(manifest["functions"]) + len(manifest["aliases"])
-    if not changed:
-        typer.echo(f"{folder}: nothing changed, files left alone")
-    else:
-        typer.echo(f"{folder}: {len(files)} files written")
-        for name, text in files.items():
-            typer.echo(f"  {name:<16} {len(text.encode()):>7} bytes")
-    typer.echo(
-        f"{machine.name}: machine hash {manifest['hash']}, {functions} functions, {seconds:.1f} s"
-    )
-
-
-def verify(
-    file: MachineFile,
-    points: Annotated[
-        int | None,
-        typer.Option(
-            metavar="N", min=1, help="Points tried for each function.", show_default=False
-        ),
-    ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the report as JSON.")] = False,
-) -> None:
-    """Compare the C with the independent reference.
-
-    Compiles the C in double and single precision, and runs both and the reference on the same
-    points. Fails, with exit status 1, where they differ by more than the accuracy that is allowed.
-
-    \b
-    Example:
-      turnbuckle verify machines/yoon2023.toml --points 500 --json > report.json
-    """
-    read(file)  # a mistake is told before the slow imports
-    report = judged(file, points)
-    if as_json:
-        typer.echo(json.dumps(finite(report.to_json()), indent=2))
-    else:
-        show_report(report)
-    if not report.passed:
-        complain(f"{file}: the generated C is not what the reference computes")
-        raise typer.Exit(FAILED_CHECK)
-
-
-def judged(file: Path, points: int | None) -> Report:
-    """Every generated function against the reference."""
-    from codegen.verify import POINTS, verify
-
-    with progress() as tell:
-        return verify(
-            file,
-            points or POINTS,
-            progress=lambda function, done, total: tell(f"verifying {function}", done / total),
-        )
-
-
-def finite(content: Any) -> Any:
-    """Plain data as JSON can hold it: null in place of infinities and NaN."""
-    if isinstance(content, dict):
-        return {key: finite(value) for key, value in content.items()}
-    if isinstance(content, list):
-        return [finite(value) for value in content]
-    return None if isinstance(content, float) and not math.isfinite(content) else content
-
-
-def show_report(report: Report) -> None:
-    """The table of worst errors, then what disagrees."""
-    console = Console()
-    console.print(report_table(report))
-    for row in report.failures():
-        typer.echo(failure_in_words(row))
-    verdict = "agrees with" if report.passed else "DIFFERS FROM"
-    points = sum(row.points for row in report.rows)
-    typer.echo(
-        f"{report.machine}, machine hash {report.hash}: the C {verdict} the reference;"
-        f" {len(report.rows)} comparisons at {points} points in all"
-    )
-
-
-def report_table(report: Report) -> Table:
-    """A line for every result: worst errors in each precision, and their share of the allowed."""
-    results: dict[tuple[str, str], dict[str, Row]] = {}
-    for row in report.rows:
-        if not row.ok or not row.output.endswith(" (refused)"):
-            results.setdefault((row.function, row.output), {})[row.precision] = row
-    table = Table(box=None, padding=(0, 1, 0, 0), title=f"{report.machine}: worst errors, SI units")
-    table.add_column("function", overflow="fold")
-    table.add_column("output", overflow="fold")
-    precisions = list(dict.fromkeys(row.precision for row in report.rows))
-    for heading in [h for precision in precisions for h in (precision, "ulp")] + ["share"]:
-        table.add_column(heading, justify="right", no_wrap=True)
-    for (function, output), rows in results.items():
-        cells = [cell for name in precisions for cell in errors_in_cells(rows.get(name))]
-        worst = max(row.share for row in rows.values())
-        share = f"{worst:.0%}" if worst <= LARGEST_SHARE else f">{LARGEST_SHARE:.0%}"
-        style = "" if all(row.ok for row in rows.values()) else "bold red"
-        table.add_row(Text(function), Text(output), *cells, share, style=style)
-    table.caption = "share: the worst error's part of what is allowed at its point"
-    return table
-
-
-def errors_in_cells(row: Row | None) -> tuple[str, str]:
-    """Worst absolute error, and worst in units in the last place (useless near a result of 0)."""
-    if row is None:
-        return "", ""
-    ulp = f"{row.worst_ulp:.3g}" if row.worst_ulp < 999.5 else f"{row.worst_ulp:.0f}"
-    return (
-        f"{row.worst_absolute:.1e}",
-        ulp if row.worst_ulp < LARGEST_ULP else f">{LARGEST_ULP:.0e}".replace("e+0", "e"),
-    )
-
-
-def failure_in_words(row: Row) -> str:
-    """What is wrong with one result."""
-    reasons = []
-    if not row.share <= 1:
-        reasons.append(f"error {row.worst_absolute:.2e}, {row.share:.3g} times what is allowed")
-    if row.disagreements:
-        reasons.append(f"{row.disagreements} wrong answers ({row.first_disagreement})")
-    return f"FAILED {row.function}, {row.output}, {row.precision}: {'; '.join(reasons)}"
 
 
 def analyze(
