@@ -6,9 +6,8 @@ behind a command are imported by that command alone, so that the quick ones are 
 
 from __future__ import annotations
 
-import math
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from importlib.metadata import version
 from pathlib import Path
@@ -20,12 +19,13 @@ from rich.table import Table
 from rich.text import Text
 
 from codegen.command_line import generate, verify
+from lab.analysis.command_line import analyze, compare
+from lab.command_line import demo
 from lab.flight.command_line import log, replay
 from lab.live.command_line import monitor, run
 from model.bus.command_line import bus
 from model.command_line import check
 from model.terminal import (
-    FAILED_CHECK,
     INTERRUPTED,
     NOTHING_BETTER,
     MachineFile,
@@ -59,20 +59,6 @@ Seed = Annotated[
     int, typer.Option(metavar="N", min=0, help="The same seed tries the same machines.")
 ]
 
-
-def as_length(millimetres: float) -> float:
-    """Refuse what is no finite length."""
-    if not math.isfinite(millimetres):
-        raise typer.BadParameter("a finite number of millimetres is due")
-    return millimetres
-
-
-Lag = Annotated[
-    float,
-    typer.Option(
-        metavar="MM", min=0, callback=as_length, help="How far late bases are behind the hand."
-    ),
-]
 
 app = typer.Typer(
     add_completion=False,
@@ -123,108 +109,6 @@ def describe_turnbuckle(
     Exit status: 0 done, 1 the check failed, 2 it cannot be done (the message
     says why), 3 nothing better was found, 130 interrupted.
     """
-
-
-def analyze(
-    file: MachineFile,
-    out: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="DIR",
-            help="Folder for report, numbers and maps.  [default: build/analysis/<name>]",
-            show_default=False,
-        ),
-    ] = None,
-    lag: Lag = 20.0,
-) -> None:
-    """Say whether a geometry is any good, before metal is cut.
-
-    Writes report.md, analysis.json and maps as PNG: the force there is in
-    every direction, the margin of what the target wants, the motor torque it
-    takes, and more. Exit status 1 if the target does not get what it wants
-    everywhere, or not from these motors.
-
-    \b
-    Example:
-      turnbuckle analyze machines/yoon2023.toml --out analysis --lag 10
-    """
-    machine = read(file)
-    folder = out or Path("build/analysis") / machine.name
-    from lab.analysis.analyze import analyze as look_at
-    from lab.analysis.report import rows, verdict
-
-    with progress() as tell:
-        findings = look_at(machine, folder, lag / 1e3, tell)
-    show_rows(["", machine.name], rows(findings))
-    typer.echo(f"{verdict(findings)}\nreport: {folder / 'report.md'}")
-    if not findings.target.passed:
-        raise typer.Exit(FAILED_CHECK)
-
-
-def compare(
-    file: MachineFile,
-    other: Annotated[Path, typer.Argument(help="Another machine file.", show_default=False)],
-    out: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="DIR", help="Folder for a report, numbers and maps.", show_default=False
-        ),
-    ] = None,
-    lag: Lag = 20.0,
-) -> None:
-    """Say what changed between two machines, and what it did.
-
-    Lists the keys of the machine files whose values differ, and the numbers of
-    the command analyze side by side.
-
-    \b
-    Example:
-      turnbuckle compare machines/yoon_fixed_diagonal.toml machines/yoon2023.toml
-    """
-    machines = read(file), read(other)
-    from lab.analysis.compare import compare as put_side_by_side
-
-    with progress() as tell:
-        comparison = put_side_by_side(machines, out, lag / 1e3, tell)
-    names = comparison.names
-    show_rows(["changed key", *names], comparison.changes or [("nothing", "", "")])
-    show_rows(["", *names, "change"], comparison.rows)
-    if out is not None:
-        typer.echo(f"report: {out / 'report.md'}")
-
-
-def show_rows(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """A table: labels on the left, values on the right."""
-    table = Table(box=None, padding=(0, 2, 0, 0))
-    table.add_column(header[0], overflow="fold")
-    for heading in header[1:]:
-        table.add_column(Text(heading), justify="right", overflow="fold")
-    for row in rows:
-        table.add_row(*map(Text, row))
-    Console().print(table)
-
-
-def demo(
-    file: MachineFile,
-    out: Annotated[
-        Path, typer.Option(metavar="DIR", help="Folder for the picture.", show_default=True)
-    ] = Path("build/demo"),
-) -> None:
-    """Run the compiled controller on the virtual bench.
-
-    Prints a table of numbers and draws a picture.
-
-    \b
-    Example:
-      turnbuckle demo machines/yoon2023.toml --out pictures
-    """
-    read(file)  # a mistake is told before the slow imports
-    from lab.demo import run_demo, summary_table
-
-    with progress() as tell:
-        result = run_demo(file, out, tell)
-    Console().print(summary_table(result))
-    typer.echo(f"picture: {result.picture}")
 
 
 def optimise(
