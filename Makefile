@@ -4,6 +4,8 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 MAKEFLAGS += --no-builtin-rules
+# Python keeps what it has compiled: every command starts in two thirds of the time.
+unexport PYTHONDONTWRITEBYTECODE
 
 PYTHON ?= python3.11
 MACHINE ?= machines/yoon2023.toml
@@ -18,6 +20,7 @@ SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
 .PHONY: all help setup generate verify build demo test soak campaign figures bench lint lock clean distclean
+.PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
 	@$(MAKE) --no-print-directory generate
@@ -84,8 +87,11 @@ build/%/turnbuckle: $$(wildcard generated/$$*/*.[ch] runtime/*/*.[ch] runtime/po
 demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 	@$(TURNBUCKLE) demo $(MACHINE)
 
+# One more than there are cores: some tests wait, for simulated drives or another process.
+WORKERS ?= $(shell expr $$(nproc) + 1)
+
 test: lint ## lint, then every test
-	$(VENV)/bin/python -m pytest -n 2 --dist worksteal $(TEST_FOLDERS)
+	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
 soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
 	$(VENV)/bin/python -m lab.soak $(CYCLES:%=--cycles %)
@@ -103,9 +109,14 @@ bench: $(SETUP) ## time our C against what one would use instead; writes build/b
 	$(VENV)/bin/python -m lab.benchmark
 
 lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync lint_python lint_c
+
+lint_python:
 	$(VENV)/bin/ruff check .
 	$(VENV)/bin/ruff format --check .
 	$(VENV)/bin/mypy .
+
+lint_c:
 	.ci/lint_c
 
 lock: $(SETUP) ## pin requirements.in again

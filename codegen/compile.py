@@ -11,7 +11,7 @@ from pathlib import Path
 #: Where libraries are kept; safe to delete.
 LIBRARIES = Path(__file__).parents[1] / "build" / "libraries"
 #: Flags that every build of ours uses: the same bits on every target, square roots inline.
-FLAGS = (
+FLAGS: tuple[str, ...] = (
     "-std=c11",
     "-O2",
     "-ffp-contract=off",

@@ -1,11 +1,14 @@
 """Functions outside a machine's model, printed, compiled and loaded like the model's own."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+import codegen.compile
 from codegen.accuracy import Accuracy
 from codegen.bind import REALS, Generated, folder_of
 from codegen.composite import Item
@@ -25,6 +28,17 @@ class OnlyItems(Model):
         return {}
 
 
+@contextmanager
+def optimised(level: str) -> Iterator[None]:
+    """The compiler optimises less meanwhile: it is quicker, and no bit of a result changes."""
+    flags = codegen.compile.FLAGS
+    codegen.compile.FLAGS = (*flags, level)
+    try:
+        yield
+    finally:
+        codegen.compile.FLAGS = flags
+
+
 def printed(machine: Machine, items: list[Item]) -> Path:
     """The folder of the C of some functions, without a measured accuracy."""
     model = OnlyItems(machine, {"tension": items})
@@ -34,7 +48,9 @@ def printed(machine: Machine, items: list[Item]) -> Path:
 
 def built(machine: Machine, items: list[Item], precision: str) -> Generated:
     """The same in one precision."""
-    return Generated(machine, printed(machine, items), precision)
+    folder = printed(machine, items)
+    with optimised("-O1"):
+        return Generated(machine, folder, precision)
 
 
 def answered(item: Item, generated: Generated, arguments: list[NDArray[Any]]) -> None:

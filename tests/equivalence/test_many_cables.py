@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import quadprog
-from built import printed
+from built import optimised, printed
 from many_cables import (
     Doubles,
     Problems,
@@ -63,7 +63,8 @@ def prepared(kind: str, count: int, low: float) -> Case:
 def compiled(machine: Machine, items: list[Item]) -> dict[str, Generated]:
     """The C of some functions in both precisions."""
     folder = printed(machine, items)
-    return {precision: Generated(machine, folder, precision) for precision in REALS}
+    with optimised("-O1"):
+        return {precision: Generated(machine, folder, precision) for precision in REALS}
 
 
 @pytest.fixture(params=CASES, ids=lambda given: f"{given[0]}-{given[1]}")
@@ -181,13 +182,15 @@ def by_quadprog(machine: Machine, structure: Doubles, wrench: Doubles) -> Double
     )
 
 
-def test_twice_as_many_steps_are_allowed_as_a_hundred_thousand_problems_take(case: Case) -> None:
+def test_twice_as_many_steps_are_allowed_as_any_of_many_thousand_problems_takes(
+    case: Case,
+) -> None:
     """Half the bound refuses nothing that the whole bound solves."""
     machine, items, libraries = case
     loops = [item for item in items.values() if isinstance(item, Loop)]
     halved = [replace(x, repeat=replace(x.repeat, most=x.repeat.most // 2)) for x in loops]
     shorter = compiled(machine, [*halved])
-    for chunk in range(10):
+    for chunk in range(10 if len(machine.cables) < COMPOSED else 3):
         known = known_problems(machine, COUNT, 100 + chunk)
         factors = np.random.default_rng(chunk).choice([0.5, 0.99, 1.0], COUNT)
         wrench = about(machine, known, factors)

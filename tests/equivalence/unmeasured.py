@@ -3,6 +3,8 @@
 from functools import cache
 from pathlib import Path
 
+from built import optimised
+
 from codegen.accuracy import Accuracy
 from codegen.bind import Generated, folder_of
 from codegen.composite import Item
@@ -57,7 +59,9 @@ def compiled(
     """Some compiled topics of a machine."""
     model = Unmeasured(machine, items(machine, topics))
     files = render(model, {item.function.name: Accuracy() for item in model.items()})
-    return Generated(machine, folder_of(machine, files), precision)
+    folder = folder_of(machine, files)
+    with optimised("-O1"):
+        return Generated(machine, folder, precision)
 
 
 @cache

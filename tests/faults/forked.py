@@ -1,5 +1,6 @@
 """Runs things in forks of this process, so that what they do to the machine is gone afterwards."""
 
+import gc
 import os
 import pickle
 import traceback
@@ -18,6 +19,7 @@ def in_a_fork(act: Callable[[], T]) -> T:
     reader, writer = os.pipe()
     child = os.fork()
     if child == 0:
+        gc.disable()  # it would touch, and so copy, all memory that is shared
         os.close(reader)
         with open(writer, "wb") as pipe:
             pickle.dump(attempt(act), pipe)
