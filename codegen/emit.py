@@ -190,7 +190,11 @@ def may_be_infeasible(link: Link) -> bool:
 
 
 def retry_body(item: Procedure) -> list[str]:
-    """Attempt; where that fails, substitute an argument and make every attempt with it."""
+    """Attempt; where that fails, substitute an argument and make every attempt with it.
+
+    An argument that counts as feasible, but cannot be served, lies on the border up to rounding:
+    the second substitute is served, and it counts as infeasible.
+    """
     first, second = item.attempts[0].function, item.substitute.function
     lines = [
         *wrap(f"    tb_status status = {call(first, {})};", "    "),
@@ -198,7 +202,7 @@ def retry_body(item: Procedure) -> list[str]:
         "        return status;",
         "    }",
         *(f"    real_t {served.name}[{served.size}];" for served in second.outputs),
-        *wrap(f"    const tb_status verdict = {call(second, {})};", "    "),
+        *wrap(f"    tb_status verdict = {call(second, {})};", "    "),
     ]
     argument = first.inputs[item.replaced].name
     may_fail = any(verdict.is_fault for verdict in second.verdicts)
@@ -206,11 +210,12 @@ def retry_body(item: Procedure) -> list[str]:
     for number, served in enumerate(second.outputs):
         for attempt in item.attempts:
             # The first attempt has failed at the wanted argument already.
-            another = number or attempt is item.attempts[0]
-            allowed = " && verdict == TB_INFEASIBLE" if another else usable
+            failed = not number and attempt is item.attempts[0]
+            allowed = " && verdict == TB_INFEASIBLE" if failed else usable
             again = call(attempt.function, {argument: served.name})
             lines += [
                 f"    if (status == TB_INACCURATE{allowed}) {{",
+                *(["        verdict = TB_INFEASIBLE;"] if number else []),
                 *wrap(f"        status = {again};", "        "),
                 "    }",
             ]

@@ -78,18 +78,21 @@ def _retry(item: Procedure, inputs: Arguments, count: int, arithmetic: Arithmeti
     wanted = inputs[item.replaced]
     asked = Result([wanted] * len(item.substitute.function.outputs), _none(item.substitute, count))
     second = _evaluate_where(again, item.substitute, inputs, asked, arithmetic)
-    verdict = statuses(item.substitute, second)
-    infeasible = verdict == Status.INFEASIBLE
-    again = again & (infeasible | (verdict == Status.OK))
+    again = again & (statuses(item.substitute, second) <= Status.INFEASIBLE)
+    on_border = np.zeros(count, dtype=bool)
     for number, replacement in enumerate(second.outputs):
         if number:
-            again = again & infeasible
+            on_border |= again
         served = list(inputs)
-        served[item.replaced] = _select(infeasible, replacement, wanted, arithmetic)
+        served[item.replaced] = _select(again, replacement, wanted, arithmetic)
         for attempt in item.attempts:
             answer = _evaluate_where(again, attempt, served, answer, arithmetic)
             again = again & failed(attempt, answer)
-    return Result(answer.outputs, [*answer.verdicts, *second.verdicts])
+    verdicts = [
+        holds | (on_border & (verdict.status is Status.INFEASIBLE))
+        for verdict, holds in zip(item.substitute.function.verdicts, second.verdicts, strict=True)
+    ]
+    return Result(answer.outputs, [*answer.verdicts, *verdicts])
 
 
 def _repeat(item: Loop, inputs: Arguments, count: int, arithmetic: Arithmetic) -> Result:

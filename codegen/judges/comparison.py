@@ -148,7 +148,8 @@ def kernel_tension(p: Problem) -> Expected:
 
 
 def reduced_matrix_tension(p: Problem) -> Expected:
-    """A set that is nearly dependent is passed over: where it is the best, anything is right.
+    """A set that is nearly dependent may be passed over: where only such are best, anything is
+    right.
 
     Of two sets with the same sum of tensions, up to rounding, either is.
     """
@@ -156,31 +157,49 @@ def reduced_matrix_tension(p: Problem) -> Expected:
     found = moved(p, p["wrench"], brau.reduced_matrix_tension)
     # as in the C
     told_by = determinant if machine.dof <= 3 else smallest_singular_value
-    least = least_of_sets(p, told_by)
-    near = least < RANK_FACTOR * rank_limit(p.epsilon)
-    bears = np.where(np.isfinite(found.value), found.value, 0) > machine.tension.min
-    doubtful = (near & (np.sum(bears, axis=-1) == machine.dof)) | rank(p, p["structure"])[1][1]
+    each = of_sets(p, told_by)
+    doubtful = best_is_dependent(p, each) | rank(p, p["structure"])[1][1]
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
     if p.closely:
-        either = sums_alike(p, TENSION_ROUNDINGS * p.epsilon / np.maximum(least, 1e-30))
+        share = TENSION_ROUNDINGS * p.epsilon / np.maximum(np.min(each, axis=-1), 1e-30)
+        either = sums_alike(p, share)
         unsure = replace(unsure, slack=np.where(either[:, None], np.inf, unsure.slack))
     return told(p, unsure, machine.tension.min, {})
 
 
+def best_is_dependent(p: Problem, each: Wide) -> Bools:
+    """Where (count) no set that is clearly regular has as low a sum of tensions as one that is not.
+
+    each (count, k): how nearly dependent every set is.
+    """
+    clear = each >= RANK_FACTOR * rank_limit(p.epsilon)
+    doubtful: Bools = ~np.all(clear, axis=-1)
+    rows = np.flatnonzero(doubtful)
+    if rows.size:
+        sums = least_sums(p.among(rows))
+        best = np.min(np.where(clear[rows], sums, np.inf), axis=-1)
+        doubtful[rows] = best > np.min(sums, axis=-1)
+    return doubtful
+
+
+def least_sums(p: Problem) -> Wide:
+    """Sum of tensions above T_min of every set (count, k) [N]; infinite where it will not do."""
+    sums = brau.reduced_matrix_sums(p.machine, p["structure"], p["wrench"])
+    return np.asarray(np.where(np.isnan(sums), np.inf, sums))
+
+
 def sums_alike(p: Problem, share: Wide) -> Bools:
     """Where two sets of cables have the least sum of tensions, up to a share (count) of it."""
-    sums = brau.reduced_matrix_sums(p.machine, p["structure"], p["wrench"])
-    first, second = np.sort(np.where(np.isnan(sums), np.inf, sums), axis=-1)[:, :2].T
+    first, second = np.sort(least_sums(p), axis=-1)[:, :2].T
     lowest = len(p.machine.cables) * p.machine.tension.min
     return np.asarray(second - first <= share * (first + lowest))
 
 
-def least_of_sets(p: Problem, measure: Callable[[Wide], Wide]) -> Wide:
-    """How nearly dependent any d cables are (count), by a measure of square matrices."""
+def of_sets(p: Problem, measure: Callable[[Wide], Wide]) -> Wide:
+    """How nearly dependent every set of d cables is (count, k), by a measure of square matrices."""
     rays = columns(p)
     sets = combinations(range(rays.shape[-2]), rays.shape[-1])
-    each = [measure(rays[:, list(chosen)]) for chosen in sets]
-    return np.asarray(np.min(each, axis=0))
+    return np.stack([measure(rays[:, list(chosen)]) for chosen in sets], axis=-1)
 
 
 def determinant(matrix: Wide) -> Wide:
@@ -199,7 +218,8 @@ def in_proportion(method: Callable[[Machine, Wide, float], Wide]) -> Method:
 
 def largest_tensions_eq12(p: Problem) -> Expected:
     """A set of dependent cables is a fault; it counts as that by pivots of all its facets."""
-    least, limit = least_of_sets(p, smallest_singular_value), rank_limit(p.epsilon)
+    least = np.min(of_sets(p, smallest_singular_value), axis=-1)
+    limit = rank_limit(p.epsilon)
     gain = 1 / np.maximum(least, limit)
     found = moved(p, p["force"], in_proportion(brau.largest_tensions_eq12), gain)
     singular = (least < limit / RANK_FACTOR / p.machine.dof, least < limit * RANK_FACTOR)

@@ -84,27 +84,23 @@ def narrowest_share(columns: Wide, free: Bools) -> Wide:
 
 
 def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
-    """The reference's distribution and, closely, those with bounds a hair wider and tighter.
+    """The reference's distribution and, closely, those of problems a hair off.
 
-    Moved bounds show what rounding does at borders; twice that is allowed.
+    They show what rounding does at borders; twice that is allowed.
     """
     machine, relative = p.machine, TENSION_ROUNDINGS * p.epsilon
     bounds = machine.tension
     answer = tension.distribute_tension(machine, structure, wrench, policy)
-    wide = tight = answer
-    if p.closely:
-        wide, tight = (
-            tension.distribute_tension(
-                with_bounds(machine, sign * relative), structure, wrench, policy
-            )
-            for sign in (1, -1)
-        )
+    near = a_hair_off(p, structure, wrench, policy) if p.closely else []
     judge = paper_verdicts if policy == "paper" else verdicts
     feasible, infeasible = judge(p, structure, wrench)
     lever = levers(machine)
     levered = structure / lever[:, None]
     gain = amplification(levered, answer.tension, bounds.min, bounds.max)
-    moved = [np.maximum(np.abs(a - b), np.abs(c - b)) for a, b, c in _pairs(wide, answer, tight)]
+    moved = (
+        furthest(answer.tension, [other.tension for other in near]),
+        furthest(answer.delivered, [other.delivered for other in near]),
+    )
     size = norm(wrench / lever) + np.sum(answer.tension, axis=-1)
     served = ROUNDINGS * p.epsilon * size
     if policy != "paper":
@@ -122,12 +118,17 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
         steep = np.maximum(1, norm(moved[1] / lever) / shift)
         served = served + infeasible * ROUNDINGS * p.epsilon * size * gain * steep
     own = relative * bounds.max * gain
+    if policy == "paper":
+        # what is clipped no longer cancels: the wrench is off by what the tensions are
+        served = served + infeasible * own
     lost = np.zeros(p.count, dtype=bool)
     if policy != "paper":
         # in a corner of nearly parallel cables the C serves a wrench a little further in
         lost = infeasible & nearly_parallel(p, structure)
         middle = (bounds.min + bounds.max) / 2 * np.sum(structure, axis=-1)
-        served = served + np.where(lost, INWARDS * norm((answer.delivered - middle) / lever), 0)
+        # and so it does on the border, where the wrench itself cannot be served
+        inwards = lost | (feasible & infeasible & p.closely)
+        served = served + np.where(inwards, INWARDS * norm((answer.delivered - middle) / lever), 0)
     if policy != "paper":
         served = served + (feasible & infeasible) * tolerated(machine, p.epsilon, structure)
     return Bounded(
@@ -139,6 +140,33 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
         infeasible,
         gain,
     )
+
+
+def a_hair_off(p: Problem, structure: Wide, wrench: Wide, policy: str) -> list[Any]:
+    """Distributions with bounds a hair wider and tighter, and with S turned a little.
+
+    A ray along a facet meets it with bounds that are moved by one rounding, and misses it with
+    bounds moved by many; a flat set is moved by S rather than by its bounds.
+    """
+    machine, relative = p.machine, TENSION_ROUNDINGS * p.epsilon
+    shifts = [sign * relative * share for share in (1, 1 / TENSION_ROUNDINGS) for sign in (1, -1)]
+    turn = np.random.default_rng(1).standard_normal(structure.shape) * levers(machine)[:, None]
+    turn = ROUNDINGS * p.epsilon * turn
+    return [
+        *(
+            tension.distribute_tension(with_bounds(machine, shift), structure, wrench, policy)
+            for shift in shifts
+        ),
+        *(
+            tension.distribute_tension(machine, structure + sign * turn, wrench, policy)
+            for sign in (1, -1)
+        ),
+    ]
+
+
+def furthest(value: Wide, others: list[Wide]) -> Wide:
+    """How far any of the others is off, entry by entry; 0 without others."""
+    return np.asarray(np.max([np.abs(other - value) for other in [value, *others]], axis=0))
 
 
 def nearly_parallel(p: Problem, structure: Wide) -> Bools:
@@ -183,16 +211,15 @@ def tolerated(machine: Machine, epsilon: float, structure: Wide) -> Wide:
     return np.asarray(most / np.maximum(np.minimum(least, 1), rank_limit(epsilon)))
 
 
-def _pairs(wide: Any, answer: Any, tight: Any) -> list[tuple[Wide, Wide, Wide]]:
-    return [
-        (wide.tension, answer.tension, tight.tension),
-        (wide.delivered, answer.delivered, tight.delivered),
-    ]
-
-
 def verdicts(p: Problem, structure: Wide, wrench: Wide) -> tuple[Bools, Bools]:
     """Where a wrench may count as feasible, and where as infeasible."""
-    machine, epsilon = p.machine, p.epsilon
+    inside = depth(p.machine, structure, wrench)
+    slack = tolerated(p.machine, p.epsilon, structure)
+    return inside >= -slack, inside <= ROUNDINGS * p.epsilon * p.machine.tension.max
+
+
+def depth(machine: Machine, structure: Wide, wrench: Wide) -> Wide:
+    """How far inside the feasible wrenches a wrench is (count) [N]; negative outside."""
 
     def distance(structure: Wide, wrench: Wide) -> tuple[Wide]:
         normals, middle, half_width = slabs(machine, structure)
@@ -202,8 +229,7 @@ def verdicts(p: Problem, structure: Wide, wrench: Wide) -> tuple[Bools, Bools]:
         return (np.min((half_width - np.abs(along - middle)) / steep, axis=-1),)
 
     (inside,) = by_slabs(machine, distance, structure, wrench)
-    slack = tolerated(machine, epsilon, structure)
-    return inside >= -slack, inside <= ROUNDINGS * epsilon * machine.tension.max
+    return inside
 
 
 def paper_verdicts(p: Problem, structure: Wide, wrench: Wide) -> tuple[Bools, Bools]:
@@ -298,10 +324,18 @@ def least_norm(p: Problem) -> Expected:
     found = solved(p, "closest")
     least, singular = rank(p, p["structure"])
     nowhere = np.zeros(p.count, dtype=bool)
-    doubtful = found.infeasible | too_near_singular(p, least, found)
+    doubtful = found.infeasible | too_near_singular(p, least, found) | near_border(p, found)
     faults = {Status.SINGULAR: singular, Status.INACCURATE: (nowhere, doubtful)}
     allowed = statuses(p.count, {Status.OK: found.feasible}, faults)
     return tension_expected(p, found, least, allowed)
+
+
+def near_border(p: Problem, found: Bounded) -> Bools:
+    """Where rounding, as much as it moves the tensions, leaves none within their bounds."""
+    if not p.closely:
+        return np.zeros(p.count, dtype=bool)
+    rounding = ROUNDINGS * p.epsilon * p.machine.tension.max * np.maximum(1, found.gain)
+    return np.asarray(depth(p.machine, p["structure"], p["wrench"]) <= rounding)
 
 
 def least_norm_quick(p: Problem) -> Expected:

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine bbe0955dcaa16d94, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine cca5df673a8626e0, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[10], const real_t tension[5], real_t wrench[2])

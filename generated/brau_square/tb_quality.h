@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 0250a58a657b210c, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 68e681985d98759e, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

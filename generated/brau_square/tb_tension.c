@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 0250a58a657b210c, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 68e681985d98759e, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -1581,7 +1581,7 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension_quick(structure, served, tension, delivered,
             kkt_residual);
@@ -1589,11 +1589,13 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
     if (status == TB_INACCURATE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension_quick(structure, inner, tension, delivered,
             kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -1609,7 +1611,7 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension_quick(structure, served, tension, delivered,
             kkt_residual);
@@ -1617,11 +1619,13 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
     if (status == TB_INACCURATE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension_quick(structure, inner, tension, delivered,
             kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine 5f20c9c551710bdf, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine a609f00b6706a158, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

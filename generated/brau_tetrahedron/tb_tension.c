@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine 5f20c9c551710bdf, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine a609f00b6706a158, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */
@@ -1742,11 +1742,12 @@ tb_status tb_distribute_tension_scale(const real_t structure[12], const real_t w
     }
     real_t served[3];
     real_t inner[3];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE && verdict <= TB_INFEASIBLE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -1762,11 +1763,12 @@ tb_status tb_distribute_tension_closest(const real_t structure[12], const real_t
     }
     real_t served[3];
     real_t inner[3];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE && verdict <= TB_INFEASIBLE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

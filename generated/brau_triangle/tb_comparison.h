@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 3a7ac29736181902, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 3239a1a106ee2b0f, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 

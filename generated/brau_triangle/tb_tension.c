@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 3a7ac29736181902, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 3239a1a106ee2b0f, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2], real_t
@@ -628,11 +628,12 @@ tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wr
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -648,11 +649,12 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

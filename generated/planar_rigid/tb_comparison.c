@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine d300ea6b72e9566a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 48fe715b520796ec, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_comparison.h"
 
 /* All cables are free. */

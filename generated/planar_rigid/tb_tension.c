@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine d300ea6b72e9566a, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 48fe715b520796ec, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */
@@ -2199,11 +2199,12 @@ tb_status tb_distribute_tension_scale(const real_t structure[18], const real_t w
     }
     real_t served[3];
     real_t inner[3];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE && verdict <= TB_INFEASIBLE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -2219,11 +2220,12 @@ tb_status tb_distribute_tension_closest(const real_t structure[18], const real_t
     }
     real_t served[3];
     real_t inner[3];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE && verdict <= TB_INFEASIBLE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine c47891485eb6f443, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 94db2199020253b1, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */
@@ -5383,11 +5383,12 @@ tb_status tb_distribute_tension_scale(const real_t structure[48], const real_t w
     }
     real_t served[6];
     real_t inner[6];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE && verdict <= TB_INFEASIBLE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -5403,11 +5404,12 @@ tb_status tb_distribute_tension_closest(const real_t structure[48], const real_t
     }
     real_t served[6];
     real_t inner[6];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE && verdict <= TB_INFEASIBLE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine c47891485eb6f443, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 94db2199020253b1, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine 56567990948418c7, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 12bbec781517419a, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2], real_t
@@ -602,11 +602,12 @@ tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wr
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -622,11 +623,12 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

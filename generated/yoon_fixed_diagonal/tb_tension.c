@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 94f6b956e081256c, generator 0.1.0, casadi 3.8.2. Do not edit. */
+ * Machine 75a29e096ff13e9f, generator 0.1.1, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
@@ -1548,7 +1548,7 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_scale(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension_quick(structure, served, tension, delivered,
             kkt_residual);
@@ -1556,11 +1556,13 @@ tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wr
     if (status == TB_INACCURATE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension_quick(structure, inner, tension, delivered,
             kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;
@@ -1576,7 +1578,7 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
     }
     real_t served[2];
     real_t inner[2];
-    const tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
+    tb_status verdict = tb_served_wrench_closest(structure, wrench, served, inner);
     if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
         status = tb_least_norm_tension_quick(structure, served, tension, delivered,
             kkt_residual);
@@ -1584,11 +1586,13 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
     if (status == TB_INACCURATE) {
         status = tb_least_norm_tension(structure, served, tension, delivered, kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension_quick(structure, inner, tension, delivered,
             kkt_residual);
     }
-    if (status == TB_INACCURATE && verdict == TB_INFEASIBLE) {
+    if (status == TB_INACCURATE) {
+        verdict = TB_INFEASIBLE;
         status = tb_least_norm_tension(structure, inner, tension, delivered, kkt_residual);
     }
     return status == TB_OK ? verdict : status;

@@ -143,8 +143,8 @@ class Retry:
 
     The first of `attempts` is asked first. Where it fails, the function `substitute` says whether
     the argument `argument` is feasible and what is served in its place: its outputs, the best one
-    first. All attempts are asked with the first, and if `argument` is infeasible and they fail,
-    with the next. The answer is TB_INFEASIBLE where something else was served.
+    first. All attempts are asked with the first, and if they fail, with the next. The answer is
+    TB_INFEASIBLE where something else was served.
     """
 
     name: str
