@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,11 +14,12 @@ from codegen.hard_cases import HardSampler
 from codegen.judges.problem import Problem
 from codegen.judges.tensions import distribution
 from codegen.samples import Sampler
-from model.machine import Machine
+from model.machine import Machine, load_machine
 from model.reference.optimality import optimality_gap
 from model.reference.tension import POLICIES, distribute_tension
 from model.reference.wrench_set import slabs
 from model.symbolic.function import Status
+from model.symbolic.tension import INWARDS
 
 Doubles = NDArray[np.float64]
 
@@ -237,3 +239,22 @@ def test_the_reference_finds_the_solutions_known_by_construction(stock: Machine)
     scale = conditioned(stock, known.structure, known.wrench, known.tension)
     off = np.max(np.abs(found.tension - known.tension), axis=1) / scale
     assert float(np.max(off)) < 100 * TENSION_ROUNDINGS
+
+
+@pytest.mark.parametrize("policy", ["scale", "closest"])
+def test_a_wrench_of_the_border_that_has_no_tensions_is_served_a_little_further_in(
+    stock_file: Path, policy: str
+) -> None:
+    """Cables nearly in one line: rounding leaves nothing that exerts exactly this wrench."""
+    machine = load_machine(stock_file.with_name("brau_five.toml"))
+    five = Generated(machine, stock_file.parents[1] / "generated" / "brau_five", "double")
+    x, y, steep = 0.9999991826143633, 0.00127858148172523, 0.8943127433148662
+    flat = 0.44744241768593884
+    structure = np.array([[-x, -flat, flat, x, 0.0], [y, -steep, -steep, y, 1.0]])
+    wrench = np.array([-6.61979830870712, 10.017107671185919])
+    assert five.least_norm_tension(structure, wrench).status is Status.INACCURATE
+    answer = getattr(five, f"distribute_tension_{policy}")(structure, wrench)
+    middle = (machine.tension.min + machine.tension.max) / 2 * structure.sum(axis=1)
+    assert answer.status is Status.INFEASIBLE
+    off = np.linalg.norm(answer.delivered - wrench) / np.linalg.norm(middle - wrench)
+    assert 0 < off < 2 * INWARDS
