@@ -24,12 +24,21 @@ from codegen.judges.problem import (
 )
 from model.reference import kinematics, statics
 from model.reference.arrays import norm
-from model.symbolic.forward_kinematics import FITTED_ROUNDINGS, needs_guess
+from model.symbolic.forward_kinematics import (
+    FITTED_ROUNDINGS,
+    FITTED_SHARE,
+    MOST_STEPS,
+    needs_guess,
+)
 from model.symbolic.function import Status
 from model.symbolic.kinematics import CONTACT_DISTANCE, PIVOT_ROUNDINGS, SMALLEST_PIVOT
 
 #: A search from a guess may give up where the lengths change little with the pose.
 SEARCH_DOUBT = 0.05
+#: Where steps keep more than this of an error, the search may reach its last one before its end.
+SLOWEST = FITTED_SHARE ** (1 / MOST_STEPS)
+#: By how much the pose is moved to see how a Jacobian changes [m].
+NUDGE = CONTACT_DISTANCE / 100
 
 
 def clearance(p: Problem, pose: Wide) -> Wide:
@@ -212,23 +221,80 @@ def closed(p: Problem) -> Fixed:
 
 
 def searched(p: Problem) -> Fixed:
-    """A search ends when a step changes the lengths by no more than rounding."""
+    """A search ends when a step changes the lengths by rounding, or by a share of the residual; a
+    step keeps a share of the error, `kept`, which grows with the residual."""
     found = kinematics.forward_kinematics(p.machine, p["lengths"], p["rails"], p["guess"])
     rows = comparable(p, kinematics.length_jacobian(p.machine, found.pose, p["rails"]))
     finite = np.where(np.isfinite(rows), rows, 0)
     nearest = clearance(p, found.pose)
     touched = below(nearest, CONTACT_DISTANCE, ROUNDINGS * p.epsilon * extent(p.machine))
-    least = np.sqrt(squared_least(p, finite))
-    roundings = FITTED_ROUNDINGS + ROUNDINGS
-    slack = roundings * p.epsilon * np.sum(p.machine.frame.size) / least**2
+    least, kept = np.sqrt(squared_least(p, finite)), contraction(p, found.pose)
     # from a guess on another side of a pulley, or where cables hardly tell the pose, it may fail
     off = norm((p["guess"] - found.pose) * levers(p.machine))
-    far = nearest < 2 * off
-    doubtful = (least < SEARCH_DOUBT) | far | ~np.isfinite(norm(found.pose))
+    elsewhere = (nearest < 2 * off) | wound_otherwise(p, found.pose)
+    hardly = (least < SEARCH_DOUBT) | (kept > SLOWEST) | ~np.isfinite(norm(found.pose))
+    doubtful = elsewhere | hardly
     lost = union(touched, (np.zeros(p.count, bool), doubtful))
     gives_up = doubtful | outside_target(p, found.pose)
     room = np.maximum(nearest, CONTACT_DISTANCE / 2)
+    slack = search_slack(p, found.residual, least, kept)
     return Fixed(found, slack, room, rows, lost, doubtful, gives_up)
+
+
+def wound_otherwise(p: Problem, pose: Wide) -> Bools:
+    """Where a cable lies on its pulley half a turn more at the guess than at the pose, or less.
+
+    Its length jumps by a whole turn where the angle of wrap ends, which no step foresees.
+    """
+    radii = np.array([pulley.radius if pulley else 0.0 for pulley in p.machine.pulleys])
+    change = np.abs(wraps(p, p["guess"]) - wraps(p, pose))
+    return np.asarray(~np.all((change <= np.pi * radii) | (radii == 0), axis=-1))
+
+
+def wraps(p: Problem, pose: Wide) -> Wide:
+    """What lies on the pulleys (count, n) [m]."""
+    free = norm(kinematics.cable_vectors(p.machine, pose, p["rails"]))
+    return np.asarray(kinematics.cable_lengths(p.machine, pose, p["rails"]) - free)
+
+
+def search_slack(p: Problem, residual: Wide, least: Wide, kept: Wide) -> Wide:
+    """What rounding and the last step leave of (c, lever rotation) (count) [m].
+
+    As e becomes M e, a step of (1 - M) e leaves at most kept / (1 - kept) of itself. Beyond SLOWEST
+    the judge expects nothing.
+    """
+    kept = np.minimum(kept, SLOWEST)
+    rounding = (FITTED_ROUNDINGS + ROUNDINGS) * p.epsilon * np.sum(p.machine.frame.size) / least**2
+    last = FITTED_SHARE * residual / least
+    return np.asarray((rounding + kept * last) / (1 - kept))
+
+
+def contraction(p: Problem, pose: Wide) -> Wide:
+    """The share (count) of a small error of the pose that a Gauss-Newton step keeps.
+
+    It leaves out how the Jacobian J turns: error e becomes (J'J)^-1 (sum of misfit_i l_i'') e.
+    """
+    rows, bent = pose_jacobian(p, pose), curvature(p, pose)
+    known = np.isfinite(norm(norm(bent)) + norm(norm(rows)))[:, None, None]
+    inverse = np.linalg.pinv(np.where(known, rows, 0).astype(float))
+    kept = inverse @ np.swapaxes(inverse, -1, -2) @ np.where(known, bent, 0).astype(float)
+    return np.asarray(np.max(np.abs(np.linalg.eigvals(kept)), axis=-1), np.longdouble)
+
+
+def curvature(p: Problem, pose: Wide) -> Wide:
+    """Sum of misfit_i l_i'' (count, d, d): J' misfit at the pose moved both ways, misfit kept."""
+    misfit = p["lengths"] - kinematics.cable_lengths(p.machine, pose, p["rails"])
+    columns = []
+    for nudge in NUDGE * np.diag(1 / levers(p.machine)):
+        turned = pose_jacobian(p, pose + nudge) - pose_jacobian(p, pose - nudge)
+        columns.append(np.sum(turned * misfit[..., None], axis=-2) / (2 * np.max(nudge)))
+    return np.stack(columns, axis=-1)
+
+
+def pose_jacobian(p: Problem, pose: Wide) -> Wide:
+    """How lengths change with the entries of the pose (count, n, d)."""
+    rows = kinematics.length_jacobian(p.machine, pose, p["rails"])
+    return np.asarray(rows @ kinematics.rotation_jacobian(p.machine, pose))
 
 
 def outside_target(p: Problem, pose: Wide) -> Bools:

@@ -81,8 +81,8 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6], const re
  *  Cost, all branches: 63 add, 59 mul, 6 div, 6 sqrt, 6 compare. */
 tb_status tb_rail_jacobian(const real_t pose[3], const real_t rails[6], real_t jacobian[36]);
 
-/** Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose  (Yoon
- *    eq. 19).
+/** Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose, until
+ *    a step changes the lengths by rounding or by 1e-09 of the residual  (Yoon eq. 19).
  *  guess [m, rad] (3), lengths [m] (6), rails [m] (6)  ->  pose [m, rad] (3), residual [m]
  *    (scalar)
  *  Domain: guess in [-1.4236, 1.4236] x [-1.4236, 1.4236] x [-1.2854, 1.2854] m, rad, else

@@ -71,8 +71,8 @@ tb_status tb_length_jacobian(const real_t pose[6], const real_t rails[1], real_t
 tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const real_t
     length_rates[8], const real_t rail_rates[1], real_t velocity[6]);
 
-/** Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose  (Yoon
- *    eq. 19).
+/** Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose, until
+ *    a step changes the lengths by rounding or by 1e-09 of the residual  (Yoon eq. 19).
  *  guess [m, rad] (6), lengths [m] (8), rails [m] (0)  ->  pose [m, rad] (6), residual [m]
  *    (scalar)
  *  Domain: guess in [-1.2, 1.2] x [-1.2, 1.2] x [-1.2, 1.2] x [-1.5472, 1.5472] x [-1.5472,

@@ -47,7 +47,8 @@ WIDEST_TURN = 0.5
 MOST_STEPS = 16
 #: The fit is found when a step changes the lengths by less than this many roundings of the frame.
 FITTED_ROUNDINGS = 16.0
-#: ... or by less than this share of what the lengths disagree by.
+#: ... or by less than this share of what the lengths disagree by: steps shrink slowly there, and
+#: where the lengths are 10 mm off, rounding would not be reached in time at one pose in ten.
 FITTED_SHARE = 1e-9
 
 
@@ -131,6 +132,10 @@ def forward_kinematics_function(machine: Machine) -> ModelFunction:
     )
 
 
+SEARCH_SUMMARY = (
+    "Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose, until "
+    f"a step changes the lengths by rounding or by {FITTED_SHARE:g} of the residual"
+)
 LOCATE_SUMMARY = (
     "Pose, residual, structure matrix and velocity at once: forward_kinematics, "
     "structure_matrix and task_velocity without their common work"
@@ -258,7 +263,7 @@ def forward_kinematics_search(machine: Machine) -> Repeat:
     )
     return Repeat(
         "forward_kinematics",
-        "Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose",
+        SEARCH_SUMMARY,
         "Yoon eq. 19",
         search.begin(),
         search.step(),

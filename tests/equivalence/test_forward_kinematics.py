@@ -9,17 +9,41 @@ from numpy.typing import NDArray
 from unmeasured import EVERY_KIND, geometry, machine_named
 
 from codegen.bind import REALS, Generated
+from codegen.judges import motion
+from codegen.judges.problem import Problem
 from model.machine import Machine
+from model.reference.arrays import norm
+from model.reference.kinematics import cable_lengths
+from model.reference.linear import least_squares
 from model.symbolic.forward_kinematics import needs_guess
 from model.symbolic.function import Status
 
 Reals = NDArray[np.floating[Any]]
 POINTS = 10000
+#: So many where the reference is asked as well.
+FEW = 500
 #: A guess may be off by this share of the diagonal along every axis, and by this angle [rad].
 OFF, TURNED = 0.05, 0.2
 EPSILON = {"double": 2.0**-52, "float": 2.0**-23}
 #: Roundings of a length, over the smallest singular value of the directions.
 ROUNDINGS = 64.0
+
+#: Pose, guess, rails, and what the C answers: a step that a turn more leads into a pulley,
+#: and small steps to and fro beside a wrap's end, one of which crosses it, to the pose.
+ACROSS_A_WRAP = [
+    (
+        [0.418947908, 0.6, 0.100002103],
+        [0.423112421, 0.6, 0.022032514],
+        [0.014357623, 0.300665928, 0.0],
+        Status.SINGULAR,
+    ),
+    (
+        [0.8, 0.478542936, 1.047197551],
+        [0.821777084, 0.470713113, 1.118513023],
+        [0.140978552, 0.027715267, 0.0],
+        Status.OK,
+    ),
+]
 
 SEARCHED = [name for name in EVERY_KIND if needs_guess(machine_named(name))]
 
@@ -117,6 +141,62 @@ def test_lengths_that_disagree_give_the_pose_of_least_squares(name: str) -> None
     structure = np.asarray(generated.structure_matrix(found.pose, rails))
     slope = np.einsum("kdn,kn->kd", structure, misfit)
     assert np.max(np.abs(slope[fine])) < 1e-6 * 1e-4
+
+
+def disagreeing(name: str) -> tuple[Problem, Any]:
+    """Poses of the target whose lengths are 3 mm off, and what the C finds for them."""
+    generated = geometry(name)
+    machine, random = generated.machine, np.random.default_rng(86)
+    pose, rails = in_the_target(machine, random)[:FEW], rail_coordinates(machine, random)[:FEW]
+    exact = np.asarray(generated.cable_lengths(pose, rails))
+    lengths = exact + 3e-3 * random.standard_normal(exact.shape)
+    known = {"guess": pose, "lengths": lengths, "rails": rails}
+    wide = {key: np.asarray(given, np.longdouble) for key, given in known.items()}
+    found = located(generated, pose, lengths, rails)
+    return Problem(machine, EPSILON["double"], wide), found
+
+
+@pytest.mark.parametrize("name", SEARCHED)
+def test_where_lengths_disagree_the_last_step_leaves_what_the_judge_says(name: str) -> None:
+    problem, found = disagreeing(name)
+    wanted = motion.forward_kinematics(problem)
+    answered = found.status == Status.OK
+    assert np.all(wanted.allowed[np.arange(FEW), found.status]) and answered.mean() > 0.9
+    judged = answered & np.all(np.isfinite(wanted.tolerance["pose"]), axis=1)
+    assert judged.mean() > 0.9
+    off = np.abs(found.pose - wanted.values["pose"])[judged]
+    rounding = motion.search_slack(problem, *np.array([[0.0], [1.0], [0.0]]))
+    assert np.all(off <= wanted.tolerance["pose"][judged])
+    assert np.max(off / wanted.tolerance["pose"][judged]) > 0.1 and np.max(off) > rounding[0]
+
+
+@pytest.mark.parametrize("name", SEARCHED)
+def test_a_step_keeps_the_share_of_an_error_that_the_judge_says(name: str) -> None:
+    problem, _ = disagreeing(name)
+    best = motion.fixed(problem).found.pose
+    kept, off = motion.contraction(problem, best), np.full_like(best, 1e-7)
+    for _ in range(40):
+        size = norm(off)
+        at = best + off * (1e-7 / size)[:, None]
+        misfit = problem["lengths"] - cable_lengths(problem.machine, at, problem["rails"])
+        off = at + least_squares(motion.pose_jacobian(problem, at), misfit) - best
+    assert np.median(np.abs(norm(off) / 1e-7 / kept - 1)) < 1e-3
+
+
+@pytest.mark.parametrize(("pose", "guess", "rails", "status"), ACROSS_A_WRAP)
+def test_a_search_across_the_end_of_a_wrap_may_fail_or_find_better_and_only_there(
+    pose: list[float], guess: list[float], rails: list[float], status: Status
+) -> None:
+    generated = geometry("kinematics_planar_rigid")
+    lengths = np.asarray(generated.cable_lengths(pose, rails))
+    for start, doubted in ((guess, True), (pose, False)):
+        known = {"guess": start, "lengths": lengths, "rails": rails}
+        wide = {key: np.asarray([given], np.longdouble) for key, given in known.items()}
+        problem = Problem(generated.machine, EPSILON["double"], wide)
+        found = located(generated, np.asarray(start), lengths, np.asarray(rails))
+        assert found.status == (status if doubted else Status.OK)
+        assert motion.forward_kinematics(problem).allowed[0, found.status]
+        assert motion.fixed(problem).doubtful[0] == doubted
 
 
 @pytest.mark.parametrize("name", EVERY_KIND)
