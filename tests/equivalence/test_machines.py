@@ -15,7 +15,7 @@ from codegen.verify import Row, Trial, verify
 from model.machine import load_machine
 
 MACHINES = sorted((Path(__file__).parents[1] / "machines").glob("*.toml"))
-POINTS = 150
+POINTS = 100
 #: Topics that a structure matrix is given to: of machines with as many cables in as many
 #: dimensions, one is enough.
 OF_A_STRUCTURE = ("tension", "comparison")

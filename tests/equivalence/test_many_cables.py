@@ -190,7 +190,7 @@ def test_twice_as_many_steps_are_allowed_as_any_of_many_thousand_problems_takes(
     loops = [item for item in items.values() if isinstance(item, Loop)]
     halved = [replace(x, repeat=replace(x.repeat, most=x.repeat.most // 2)) for x in loops]
     shorter = compiled(machine, [*halved])
-    for chunk in range(10 if len(machine.cables) < COMPOSED else 3):
+    for chunk in range(6 if len(machine.cables) < COMPOSED else 2):
         known = known_problems(machine, COUNT, 100 + chunk)
         factors = np.random.default_rng(chunk).choice([0.5, 0.99, 1.0], COUNT)
         wrench = about(machine, known, factors)
