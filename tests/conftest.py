@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+import quick_compiler  # noqa: F401
 from hypothesis import HealthCheck, settings
 
-import codegen.compile
 from codegen.accuracy import Accuracy
 from codegen.accuracy_cache import measured_accuracy
 from codegen.bind import Generated
@@ -22,9 +22,6 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).parents[1]
 STOCK_FILE = ROOT / "machines" / "yoon2023.toml"
 STOCK_FOLDER = ROOT / "generated" / "yoon2023"
-
-# The compiler optimises less than for a user, which is quicker and changes no bit of a result.
-codegen.compile.FLAGS = (*codegen.compile.FLAGS, "-O1")
 
 # A shell that starts the tests in the background lets them, and all they start, ignore interrupts.
 signal.signal(signal.SIGINT, signal.default_int_handler)

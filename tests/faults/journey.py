@@ -122,6 +122,8 @@ MOMENTS = (
 )
 """In the order in which one machine goes through them."""
 NAMES = tuple(each.name for each in MOMENTS)
+ALSO_IN_ITS_STATE = ("CONFIGURE CONTRACT", "HOME TIGHTEN", "HOME SWEEP")
+"""Moments beside another one of the same state."""
 BEFORE_SERVICE = NAMES[:3]
 """The drives are being set up."""
 SERVICE = NAMES[3:10]

@@ -16,6 +16,7 @@ TESTS = INSIDE.parents[1]
 def test_the_driver_does_what_it_says_on_a_kernel_with_can() -> None:
     library()  # is compiled here, where files can be written
     options = ["-q", "-x", "--color=no", "--noconftest", "-p", "no:cacheprovider"]
+    options += ["-p", "quick_compiler"]
     done = run_in_guest(
         [sys.executable, "-m", "pytest", *options, INSIDE],
         interfaces=["vcan0", "vcan1"],

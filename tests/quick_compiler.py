@@ -1,0 +1,8 @@
+"""Once imported, the compiler optimises less than for a user: it is quicker, no result changes a bit.
+
+Imported by conftest.py; by pytest in the guest, which cannot compile, to find the same libraries.
+"""
+
+import codegen.compile
+
+codegen.compile.FLAGS = (*codegen.compile.FLAGS, "-O1")
