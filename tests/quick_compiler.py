@@ -1,4 +1,4 @@
-"""Once imported, the compiler optimises less than for a user: it is quicker, no result changes a bit.
+"""Once imported, the compiler optimises less than for a user, which changes no bit of a result.
 
 Imported by conftest.py; by pytest in the guest, which cannot compile, to find the same libraries.
 """
