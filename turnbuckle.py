@@ -20,6 +20,7 @@ from lab.flight.command_line import log, replay
 from lab.live.command_line import monitor, run
 from model.bus.command_line import bus
 from model.command_line import check
+from model.refusal import Refusal
 from model.terminal import INTERRUPTED, fail
 
 app = typer.Typer(
@@ -84,24 +85,8 @@ def errors_in_words() -> Iterator[None]:
         fail("interrupted", INTERRUPTED)
     except OSError as error:
         fail(": ".join(str(part) for part in (error.filename, error.strerror or error) if part))
-    except Exception as error:
-        if not isinstance(error, refusals()):
-            raise
-        fail(str(error))
-
-
-def refusals() -> tuple[type[Exception], ...]:
-    """Errors whose text is written for the user; imported only when there has been an error."""
-    from codegen.compile import CompileError
-    from codegen.folder import FolderError
-    from codegen.generate import GenerateError
-    from lab.design import DesignError
-    from lab.flight import FlightError
-    from lab.live import LiveError
-    from model.machine import MachineError
-
-    wrong_input = MachineError, DesignError, LiveError, FlightError
-    return (*wrong_input, GenerateError, FolderError, CompileError)
+    except Refusal as refusal:
+        fail(str(refusal))
 
 
 COMMANDS: tuple[Callable[..., None], ...] = (

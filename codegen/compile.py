@@ -8,6 +8,8 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
+from model.refusal import Refusal
+
 #: Where libraries are kept; safe to delete.
 LIBRARIES = Path(__file__).parents[1] / "build" / "libraries"
 #: Flags that every build of ours uses: the same bits on every target, square roots inline.
@@ -30,7 +32,7 @@ GCC_FLAGS = (
 PRECISIONS = {"double": (), "float": ("-DTB_REAL_FLOAT",)}
 
 
-class CompileError(Exception):
+class CompileError(Refusal):
     """The C compiler refused; the text holds what it said."""
 
 

@@ -11,8 +11,10 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from model.refusal import Refusal
 
-class FolderError(Exception):
+
+class FolderError(Refusal):
     """A folder cannot be written; the text says what stands in the way."""
 
 

@@ -23,12 +23,13 @@ from codegen.ir import Routine
 from codegen.lower import lower
 from codegen.simplify import simplify
 from model.machine import Machine
+from model.refusal import Refusal
 from model.symbolic.composition import Composite, Composition
 from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
 from model.symbolic.sweep import Sweep
 from model.symbolic.topics import TOPICS, model_composites, model_functions
 
-GENERATOR_VERSION = "0.1.1"
+GENERATOR_VERSION = "0.1.2"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
@@ -43,7 +44,7 @@ BUS_TABLES: dict[str, Any] = {
 }
 
 
-class GenerateError(Exception):
+class GenerateError(Refusal):
     """The C cannot be written; the text says what stands in the way."""
 
 

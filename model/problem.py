@@ -12,6 +12,8 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
+from model.refusal import Refusal
+
 Location = Sequence[str | int]
 
 LONGEST_SHOWN = 60
@@ -34,8 +36,8 @@ class Problem:
         return f"{self.key}: {text}" if self.key else text
 
 
-class MachineError(Exception):
-    """A machine file was refused; str() is the whole message, for the user to read."""
+class MachineError(Refusal):
+    """A machine file was refused."""
 
     def __init__(self, path: Path, problems: Sequence[Problem]) -> None:
         more = len(problems) - 1

@@ -1,5 +1,7 @@
 """Design search: which values of a machine file's keys make the best machine."""
 
+from model.refusal import Refusal
 
-class DesignError(Exception):
-    """A search or study cannot be done; str() is the whole message, for the user to read."""
+
+class DesignError(Refusal):
+    """A search or study cannot be done."""

@@ -1,5 +1,7 @@
 """The flight recorder's files: read them, run them again, turn them into tables and pictures."""
 
+from model.refusal import Refusal
 
-class FlightError(Exception):
-    """A recording cannot be used; str() is the whole message, for the user to read."""
+
+class FlightError(Refusal):
+    """A recording cannot be used."""

@@ -1,5 +1,7 @@
 """The real machine, live: run its program, watch it, send it requests."""
 
+from model.refusal import Refusal
 
-class LiveError(Exception):
-    """The machine cannot be run or watched; str() is the whole message, for the user to read."""
+
+class LiveError(Refusal):
+    """The machine cannot be run or watched."""

@@ -17,7 +17,8 @@ def test_a_literal_reads_back_to_the_bit(number: float) -> None:
     assert match
     sign, digits = match.groups()
     assert float(sign + digits) == number
-    assert np.float32(sign + digits) == np.float32(number)
+    with np.errstate(over="ignore"):
+        assert np.float32(sign + digits) == np.float32(number)
 
 
 @pytest.mark.parametrize("number", NUMBERS)
