@@ -39,7 +39,7 @@ from model.reference import brau
 from model.reference.arrays import norm
 from model.symbolic import comparison
 from model.symbolic.function import Status
-from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS, is_unrolled
+from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS
 
 #: What is moved in so many random directions, either way, may in truth move by so much more.
 DIRECTIONS, MARGIN = 2, 4.0
@@ -133,8 +133,7 @@ def columns(p: Problem) -> Wide:
 
 
 def kernel_tension(p: Problem) -> Expected:
-    """More redundant cables are solved like Yoon's eq. 22: up to a residual of its own, and where
-    there is no solution the loop may give up."""
+    """More redundant cables are solved like Yoon's eq. 22: up to a residual of its own."""
     machine = p.machine
     found = moved(p, p["wrench"], brau.kernel_tension)
     weakest, singular = rank(p, p["structure"])
@@ -143,8 +142,7 @@ def kernel_tension(p: Problem) -> Expected:
     rounding = RANK_FACTOR * KKT_TOLERANCE * p.epsilon * np.maximum(largest, machine.tension.max)
     doubtful = singular[1] | (rounding > LARGEST_MISS * machine.tension.max * least)
     unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
-    without = ~np.all(np.isfinite(found.value), axis=-1) & (not is_unrolled(machine))
-    gives_up = ~always(p.count), doubtful | nearly_parallel(p, p["structure"]) | without
+    gives_up = ~always(p.count), doubtful | nearly_parallel(p, p["structure"])
     faults = {Status.SINGULAR: singular, Status.INACCURATE: gives_up}
     return told(p, unsure, machine.tension.min, faults)
 

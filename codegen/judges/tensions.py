@@ -23,7 +23,7 @@ from model.reference.planar import minors
 from model.reference.wrench_set import by_slabs, slabs
 from model.symbolic import rank as limits
 from model.symbolic.function import Status
-from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS, is_unrolled
+from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
 
 Judge = Callable[[Problem], Expected]
 
@@ -288,12 +288,9 @@ def distribution(policy: str) -> Judge:
         if policy == "paper" or p.machine.dof > 2:
             # no answer within rounding is told as no answer at all, or the loop for it gives up
             doubtful = doubtful | nearly_parallel(p, p["structure"])
-        gives_up = doubtful
-        if policy == "paper" and not is_unrolled(p.machine):
-            gives_up = doubtful | found.infeasible & holds_least(p, found)
         faults = {
             Status.SINGULAR: singular,
-            Status.INACCURATE: (np.zeros(p.count, dtype=bool), gives_up),
+            Status.INACCURATE: (np.zeros(p.count, dtype=bool), doubtful),
         }
         if policy == "paper":
             normal[Status.INFEASIBLE] = found.infeasible | doubtful
@@ -305,12 +302,6 @@ def distribution(policy: str) -> Judge:
         return answer
 
     return judge
-
-
-def holds_least(p: Problem, found: Bounded) -> Bools:
-    """Where eq. 22 has no solution: without a bound above, the loop for it may go round in circles
-    there and give up."""
-    return np.asarray(np.all(found.tension <= p.machine.tension.min, axis=-1))
 
 
 def forget_doubtful(p: Problem, answer: Expected, doubtful: Bools) -> None:

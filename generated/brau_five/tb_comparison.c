@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine cca5df673a8626e0, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 284fed07d9d997e6, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #include "tb_comparison.h"
 
 tb_status tb_largest_tensions_eq17(const real_t structure[10], const real_t force[1], real_t
@@ -649,221 +649,223 @@ static tb_status tb_kernel_tension_begin(const real_t structure[10], const real_
 static tb_status tb_kernel_tension_step(const real_t structure[10], const real_t wrench[2], real_t
     side[5], real_t moving[1], real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[3];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const bool t7 = TB_C(0.0) == side[2];
-    const real_t t8 = t7 ? (t7 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t9 = t3 ? (t3 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const bool t10 = TB_C(0.0) == side[4];
-    const real_t t11 = t10 ? (t10 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t12 = TB_SQRT(t4 + t6 + t8 + t9 + t11);
-    const real_t t13 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t14 = TB_COPYSIGN(t12, t13);
-    const real_t t15 = TB_C(1.0) / t14;
-    const bool t16 = TB_C(0.0) < side[0];
-    const real_t t17 = t16 ? TB_C(1000000000000.0) * structure[0] : TB_C(0.0);
-    const bool t18 = TB_C(0.0) < side[1];
-    const real_t t19 = t18 ? TB_C(1000000000000.0) * structure[1] : TB_C(0.0);
-    const bool t20 = TB_C(0.0) < side[2];
-    const real_t t21 = t20 ? TB_C(1000000000000.0) * structure[2] : TB_C(0.0);
-    const bool t22 = TB_C(0.0) < side[3];
-    const real_t t23 = t22 ? structure[3] * TB_C(1000000000000.0) : TB_C(0.0);
-    const bool t24 = TB_C(0.0) < side[4];
-    const real_t t25 = t24 ? TB_C(1000000000000.0) * structure[4] : TB_C(0.0);
-    const real_t t26 = (wrench[0] - (t17 + t19 + t21 + t23 + t25)) * t15;
-    const real_t t27 = t13 + t14;
-    const real_t t28 = t5 ? (t5 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t29 = t7 ? (t7 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t30 = (t1 ? structure[5] * t27 : TB_C(0.0)) + t28 + t29;
-    const real_t t31 = t3 ? (t3 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t32 = t10 ? (t10 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t33 = (t30 + t31 + t32) * (TB_C(1.0) / (t12 * (t12 + TB_ABS(t13))));
-    const real_t t34 = (t1 ? structure[5] : TB_C(0.0)) - t27 * t33;
-    const real_t t35 = structure[6] - structure[1] * t33;
-    const real_t t36 = structure[7] - structure[2] * t33;
-    const real_t t37 = (t5 ? (t5 ? t35 * t35 : TB_C(0.0)) : TB_C(0.0)) + (t7 ? (t7 ? t36 * t36
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const bool t8 = TB_C(0.0) == side[4];
+    const real_t t9 = t8 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t10 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t11 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t12 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t13 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t14 = t8 ? (t8 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t15 = TB_SQRT(t10 + t11 + t12 + t13 + t14);
+    const real_t t16 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t17 = TB_COPYSIGN(t15, t16);
+    const real_t t18 = t16 + t17;
+    const real_t t19 = t2 ? (t2 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t20 = t4 ? (t4 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t21 = (t0 ? t18 * structure[5] : TB_C(0.0)) + t19 + t20;
+    const real_t t22 = t6 ? (t6 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t23 = t8 ? (t8 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t24 = (t21 + t22 + t23) * (TB_C(1.0) / (t15 * (t15 + TB_ABS(t16))));
+    const real_t t25 = structure[6] - structure[1] * t24;
+    const real_t t26 = structure[7] - structure[2] * t24;
+    const real_t t27 = (t2 ? (t2 ? t25 * t25 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t26 * t26
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t38 = structure[8] - structure[3] * t33;
-    const real_t t39 = t37 + (t3 ? (t3 ? t38 * t38 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t40 = structure[9] - structure[4] * t33;
-    const real_t t41 = t39 + (t10 ? (t10 ? t40 * t40 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t42 = TB_COPYSIGN(TB_SQRT(t41), t5 ? t35 : TB_C(0.0));
-    const real_t t43 = TB_C(1.0) / t42;
-    const real_t t44 = t16 ? TB_C(1000000000000.0) * structure[5] : TB_C(0.0);
-    const real_t t45 = t18 ? TB_C(1000000000000.0) * structure[6] : TB_C(0.0);
-    const real_t t46 = t20 ? TB_C(1000000000000.0) * structure[7] : TB_C(0.0);
-    const real_t t47 = t22 ? TB_C(1000000000000.0) * structure[8] : TB_C(0.0);
-    const real_t t48 = t24 ? TB_C(1000000000000.0) * structure[9] : TB_C(0.0);
-    const real_t t49 = wrench[1] - (t44 + t45 + t46 + t47 + t48) + t26 * t34;
-    const real_t t50 = t43 * (t49 * t43);
-    const real_t t51 = t15 * (t26 + t34 * t50);
-    const real_t t52 = structure[3] * t51 + structure[8] * t50;
-    const real_t t53 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t52, t52 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t54 = structure[4] * t51 + structure[9] * t50;
-    const real_t t55 = TB_C(0.0) < (t10 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t54, t54 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t56 = structure[0] * t51 + structure[5] * t50;
-    const real_t t57 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t56, t56 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t58 = structure[1] * t51 + structure[6] * t50;
-    const real_t t59 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t58, t58 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t60 = structure[2] * t51 + structure[7] * t50;
-    const real_t t61 = TB_C(0.0) < (t7 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t60, t60 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    real_t t62, t63, t64, t65, t66;
-    if (t2) {
-        t62 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t63 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
-        t64 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t65 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
-        t66 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t28 = structure[8] - structure[3] * t24;
+    const real_t t29 = t27 + (t6 ? (t6 ? t28 * t28 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t30 = structure[9] - structure[4] * t24;
+    const real_t t31 = t29 + (t8 ? (t8 ? t30 * t30 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t32 = TB_COPYSIGN(TB_SQRT(t31), t2 ? t25 : TB_C(0.0));
+    const real_t t33 = tb_min(TB_C(1.0), tb_min(TB_ABS(t17), TB_ABS(t32)));
+    const real_t t34 = TB_C(1.0) / t33;
+    const real_t t35 = TB_C(64.0) * TB_EPSILON * t34;
+    const bool t36 = TB_C(0.0) <= moving[0];
+    const real_t t37 = TB_C(1.0) / t17;
+    const bool t38 = TB_C(0.0) < side[0];
+    const real_t t39 = t38 ? structure[0] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t40 = TB_C(0.0) < side[1];
+    const real_t t41 = t40 ? structure[1] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t42 = TB_C(0.0) < side[2];
+    const real_t t43 = t42 ? structure[2] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t44 = TB_C(0.0) < side[3];
+    const real_t t45 = t44 ? structure[3] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t46 = TB_C(0.0) < side[4];
+    const real_t t47 = t46 ? structure[4] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t48 = (wrench[0] - (t39 + t41 + t43 + t45 + t47)) * t37;
+    const real_t t49 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
+    const real_t t50 = TB_C(1.0) / t32;
+    const real_t t51 = t38 ? structure[5] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t52 = t40 ? structure[6] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t53 = t42 ? structure[7] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t54 = t44 ? structure[8] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t55 = t46 ? structure[9] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t56 = wrench[1] - (t51 + t52 + t53 + t54 + t55) + t48 * t49;
+    const real_t t57 = t50 * (t56 * t50);
+    const real_t t58 = t37 * (t48 + t49 * t57);
+    const real_t t59 = structure[3] * t58 + structure[8] * t57;
+    const real_t t60 = TB_C(0.0) < t7 ? tb_max(-t59, t59 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t61 = structure[4] * t58 + structure[9] * t57;
+    const real_t t62 = TB_C(0.0) < t9 ? tb_max(-t61, t61 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t63 = structure[0] * t58 + structure[5] * t57;
+    const real_t t64 = TB_C(0.0) < t1 ? tb_max(-t63, t63 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t65 = structure[1] * t58 + structure[6] * t57;
+    const real_t t66 = TB_C(0.0) < t3 ? tb_max(-t65, t65 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t67 = structure[2] * t58 + structure[7] * t57;
+    const real_t t68 = TB_C(0.0) < t5 ? tb_max(-t67, t67 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    real_t t69, t70, t71, t72, t73;
+    if (t36) {
+        t69 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
+        t70 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
+        t71 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t72 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t73 = TB_C(2.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t62 = t53;
-        t63 = t55;
-        t64 = t57;
-        t65 = t59;
-        t66 = t61;
+        t69 = t60;
+        t70 = t62;
+        t71 = t64;
+        t72 = t66;
+        t73 = t68;
     }
-    const real_t t67 = tb_max(t64, t65);
-    const bool t68 = tb_max(t62, t63) <= tb_max(t67, t66);
-    real_t t69, t70, t71, t72;
-    if (t68) {
-        const bool t73 = t66 <= t67;
-        real_t t74, t75, t76, t77;
-        if (t73) {
-            const bool t78 = t65 <= t64;
-            t74 = t78 ? TB_C(0.0) : TB_C(1.0);
-            t75 = t78 ? structure[0] : structure[1];
-            t76 = t78 ? structure[5] : structure[6];
-            t77 = t78 ? t56 : t58;
+    const real_t t74 = tb_max(t71, t72);
+    const bool t75 = tb_max(t69, t70) <= tb_max(t74, t73);
+    real_t t76, t77, t78, t79;
+    if (t75) {
+        const bool t80 = t73 <= t74;
+        real_t t81, t82, t83, t84;
+        if (t80) {
+            const bool t85 = t72 <= t71;
+            t81 = t85 ? TB_C(0.0) : TB_C(1.0);
+            t82 = t85 ? structure[0] : structure[1];
+            t83 = t85 ? structure[5] : structure[6];
+            t84 = t85 ? t63 : t65;
         } else {
-            t74 = TB_C(2.0);
-            t75 = structure[2];
-            t76 = structure[7];
-            t77 = t60;
+            t81 = TB_C(2.0);
+            t82 = structure[2];
+            t83 = structure[7];
+            t84 = t67;
         }
-        t69 = t74;
-        t70 = t75;
-        t71 = t76;
-        t72 = t77;
+        t76 = t81;
+        t77 = t82;
+        t78 = t83;
+        t79 = t84;
     } else {
-        const bool t79 = t63 <= t62;
-        t69 = t79 ? TB_C(3.0) : TB_C(4.0);
-        t70 = t79 ? structure[3] : structure[4];
-        t71 = t79 ? structure[8] : structure[9];
-        t72 = t79 ? t52 : t54;
+        const bool t86 = t70 <= t69;
+        t76 = t86 ? TB_C(3.0) : TB_C(4.0);
+        t77 = t86 ? structure[3] : structure[4];
+        t78 = t86 ? structure[8] : structure[9];
+        t79 = t86 ? t59 : t61;
     }
-    const real_t t80 = t15 * t70;
-    const real_t t81 = t43 * (t43 * (t71 + t34 * t80));
-    const real_t t82 = t15 * (t80 + t34 * t81);
-    const real_t t83 = structure[0] * t82 + structure[5] * t81;
-    const real_t t84 = (TB_C(0.0) == t69 ? TB_C(1.0) : TB_C(0.0)) - t83;
-    const real_t t85 = structure[1] * t82 + structure[6] * t81;
-    const real_t t86 = (TB_C(1.0) == t69 ? TB_C(1.0) : TB_C(0.0)) - t85;
-    const real_t t87 = (t1 ? (t1 ? t84 * t84 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t86 * t86
+    const real_t t87 = t37 * t77;
+    const real_t t88 = t50 * (t50 * (t78 + t49 * t87));
+    const real_t t89 = t37 * (t87 + t49 * t88);
+    const real_t t90 = structure[0] * t89 + structure[5] * t88;
+    const real_t t91 = (TB_C(0.0) == t76 ? TB_C(1.0) : TB_C(0.0)) - t90;
+    const real_t t92 = structure[1] * t89 + structure[6] * t88;
+    const real_t t93 = (TB_C(1.0) == t76 ? TB_C(1.0) : TB_C(0.0)) - t92;
+    const real_t t94 = (t0 ? (t0 ? t91 * t91 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t93 * t93
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t88 = structure[2] * t82 + structure[7] * t81;
-    const real_t t89 = (TB_C(2.0) == t69 ? TB_C(1.0) : TB_C(0.0)) - t88;
-    const real_t t90 = t87 + (t7 ? (t7 ? t89 * t89 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t91 = structure[3] * t82 + structure[8] * t81;
-    const real_t t92 = (TB_C(3.0) == t69 ? TB_C(1.0) : TB_C(0.0)) - t91;
-    const real_t t93 = t90 + (t3 ? (t3 ? t92 * t92 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t94 = structure[4] * t82 + structure[9] * t81;
-    const real_t t95 = (TB_C(4.0) == t69 ? TB_C(1.0) : TB_C(0.0)) - t94;
-    const real_t t96 = t93 + (t10 ? (t10 ? t95 * t95 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t97 = t72 + t96 * push[0];
-    const bool t98 = t97 < TB_C(500000000000.0);
-    real_t t99;
-    if (t0 * t0 < t96) {
-        const real_t t100 = tb_max(t98 ? -t97 : t97 - TB_C(1000000000000.0), TB_C(0.0));
-        t99 = t100 * (TB_C(1.0) / t96);
+    const real_t t95 = structure[2] * t89 + structure[7] * t88;
+    const real_t t96 = (TB_C(2.0) == t76 ? TB_C(1.0) : TB_C(0.0)) - t95;
+    const real_t t97 = t94 + (t4 ? (t4 ? t96 * t96 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t98 = structure[3] * t89 + structure[8] * t88;
+    const real_t t99 = (TB_C(3.0) == t76 ? TB_C(1.0) : TB_C(0.0)) - t98;
+    const real_t t100 = t97 + (t6 ? (t6 ? t99 * t99 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t101 = structure[4] * t89 + structure[9] * t88;
+    const real_t t102 = (TB_C(4.0) == t76 ? TB_C(1.0) : TB_C(0.0)) - t101;
+    const real_t t103 = t100 + (t8 ? (t8 ? t102 * t102 : TB_C(0.0)) : TB_C(0.0));
+    const bool t104 = TB_C(2.0) < t1 + t3 + t5 + t7 + t9 && t35 * t35 < t103;
+    const real_t t105 = t79 + t103 * push[0];
+    const bool t106 = t105 < TB_C(500000000000.0);
+    real_t t107;
+    if (t104) {
+        const real_t t108 = tb_max(t106 ? -t105 : t105 - TB_C(1000000000000.0), TB_C(0.0));
+        t107 = t108 * (TB_C(1.0) / t103);
     } else {
-        t99 = TB_C(1e+30);
+        t107 = TB_C(1e+30);
     }
-    const real_t t101 = t98 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t102 = side[0] * (t83 * t101);
-    real_t t103;
-    if (t0 < t102) {
-        const real_t t104 = t56 - t83 * push[0] - (t16 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t103 = tb_max(side[0] * t104, TB_C(0.0)) / t102;
+    const real_t t109 = t106 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t110 = side[0] * (t90 * t109);
+    real_t t111;
+    if (t35 < t110) {
+        const real_t t112 = t63 - t90 * push[0] - (t38 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t111 = tb_max(side[0] * t112, TB_C(0.0)) / t110;
     } else {
-        t103 = TB_C(1e+30);
+        t111 = TB_C(1e+30);
     }
-    const real_t t105 = side[1] * (t85 * t101);
-    real_t t106;
-    if (t0 < t105) {
-        const real_t t107 = t58 - t85 * push[0] - (t18 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t106 = tb_max(side[1] * t107, TB_C(0.0)) / t105;
+    const real_t t113 = side[1] * (t92 * t109);
+    real_t t114;
+    if (t35 < t113) {
+        const real_t t115 = t65 - t92 * push[0] - (t40 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t114 = tb_max(side[1] * t115, TB_C(0.0)) / t113;
     } else {
-        t106 = TB_C(1e+30);
+        t114 = TB_C(1e+30);
     }
-    const real_t t108 = side[2] * (t88 * t101);
-    real_t t109;
-    if (t0 < t108) {
-        const real_t t110 = t60 - t88 * push[0] - (t20 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t109 = tb_max(side[2] * t110, TB_C(0.0)) / t108;
+    const real_t t116 = side[2] * (t95 * t109);
+    real_t t117;
+    if (t35 < t116) {
+        const real_t t118 = t67 - t95 * push[0] - (t42 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t117 = tb_max(side[2] * t118, TB_C(0.0)) / t116;
     } else {
-        t109 = TB_C(1e+30);
+        t117 = TB_C(1e+30);
     }
-    const real_t t111 = side[3] * (t91 * t101);
-    real_t t112;
-    if (t0 < t111) {
-        const real_t t113 = t52 - t91 * push[0] - (t22 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t112 = tb_max(side[3] * t113, TB_C(0.0)) / t111;
+    const real_t t119 = side[3] * (t98 * t109);
+    real_t t120;
+    if (t35 < t119) {
+        const real_t t121 = t59 - t98 * push[0] - (t44 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t120 = tb_max(side[3] * t121, TB_C(0.0)) / t119;
     } else {
-        t112 = TB_C(1e+30);
+        t120 = TB_C(1e+30);
     }
-    const real_t t114 = side[4] * (t94 * t101);
-    real_t t115;
-    if (t0 < t114) {
-        const real_t t116 = t54 - t94 * push[0] - (t24 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t115 = tb_max(side[4] * t116, TB_C(0.0)) / t114;
+    const real_t t122 = side[4] * (t101 * t109);
+    real_t t123;
+    if (t35 < t122) {
+        const real_t t124 = t61 - t101 * push[0] - (t46 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t123 = tb_max(side[4] * t124, TB_C(0.0)) / t122;
     } else {
-        t115 = TB_C(1e+30);
+        t123 = TB_C(1e+30);
     }
-    const real_t t117 = tb_min(tb_min(tb_min(tb_min(t103, t106), t109), t112), t115);
-    const bool t118 = t99 <= t117;
-    const real_t t119 = tb_max(tb_max(tb_max(tb_max(t57, t59), t61), t53), t55);
-    const real_t t120 = TB_EPSILON * TB_C(8.0) * (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
-    const real_t t121 = tb_min(TB_C(1.0), tb_min(TB_ABS(t14), TB_ABS(t42)));
-    const bool t122 = (!t2 && t119 <= t120 / t121) || !(tb_min(t99, t117) < TB_C(1e+30));
-    const real_t t123 = t118 && !t122 ? t69 : -TB_C(1.0);
-    const real_t t124 = -t101;
-    real_t t125;
-    if (t118 || t122) {
-        t125 = -TB_C(1.0);
+    const real_t t125 = tb_min(tb_min(tb_min(tb_min(t111, t114), t117), t120), t123);
+    const bool t126 = t107 <= t125;
+    const real_t t127 = tb_max(tb_max(tb_max(tb_max(t64, t66), t68), t60), t62);
+    const real_t t128 = TB_EPSILON * TB_C(8.0) * (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
+    const bool t129 = (!t36 && t127 <= t34 * t128) || !(tb_min(t107, t125) < TB_C(1e+30));
+    const real_t t130 = t126 && !t129 ? t76 : -TB_C(1.0);
+    const real_t t131 = -t109;
+    real_t t132;
+    if (t126 || t129) {
+        t132 = -TB_C(1.0);
     } else {
-        const real_t t126 = -t112;
-        const real_t t127 = -t115;
-        const real_t t128 = -t103;
-        const real_t t129 = -t106;
-        const real_t t130 = tb_max(t128, t129);
-        const real_t t131 = -t109;
-        real_t t132;
-        if (tb_max(t126, t127) <= tb_max(t130, t131)) {
-            const real_t t133 = t131 <= t130 ? (t129 <= t128 ? TB_C(0.0) : TB_C(1.0)) :
+        const real_t t133 = -t120;
+        const real_t t134 = -t123;
+        const real_t t135 = -t111;
+        const real_t t136 = -t114;
+        const real_t t137 = tb_max(t135, t136);
+        const real_t t138 = -t117;
+        real_t t139;
+        if (tb_max(t133, t134) <= tb_max(t137, t138)) {
+            const real_t t140 = t138 <= t137 ? (t136 <= t135 ? TB_C(0.0) : TB_C(1.0)) :
                 TB_C(2.0);
-            t132 = t133;
+            t139 = t140;
         } else {
-            t132 = t127 <= t126 ? TB_C(3.0) : TB_C(4.0);
+            t139 = t134 <= t133 ? TB_C(3.0) : TB_C(4.0);
         }
-        t125 = t132;
+        t132 = t139;
     }
-    const real_t side_0 = TB_C(0.0) == t123 ? t124 : (TB_C(0.0) == t125 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t123 ? t124 : (TB_C(1.0) == t125 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t123 ? t124 : (TB_C(2.0) == t125 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t123 ? t124 : (TB_C(3.0) == t125 ? TB_C(0.0) : side[3]);
-    const real_t side_4 = TB_C(4.0) == t123 ? t124 : (TB_C(4.0) == t125 ? TB_C(0.0) : side[4]);
-    const real_t moving_0 = t118 ? -TB_C(1.0) : t69;
-    const real_t push_0 = t118 ? TB_C(0.0) : push[0] + t101 * t117;
-    const real_t done_0 = t122 ? TB_C(1.0) : TB_C(0.0);
+    const real_t side_0 = TB_C(0.0) == t130 ? t131 : (TB_C(0.0) == t132 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t130 ? t131 : (TB_C(1.0) == t132 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t130 ? t131 : (TB_C(2.0) == t132 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t130 ? t131 : (TB_C(3.0) == t132 ? TB_C(0.0) : side[3]);
+    const real_t side_4 = TB_C(4.0) == t130 ? t131 : (TB_C(4.0) == t132 ? TB_C(0.0) : side[4]);
+    const real_t moving_0 = t126 ? -TB_C(1.0) : t76;
+    const real_t push_0 = t126 ? TB_C(0.0) : push[0] + t109 * t125;
+    const real_t done_0 = t129 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine cca5df673a8626e0, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 284fed07d9d997e6, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t force[1])
@@ -310,220 +310,222 @@ static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t
 static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t side[5], real_t
     moving[1], real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[3];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const bool t7 = TB_C(0.0) == side[2];
-    const real_t t8 = t7 ? (t7 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t9 = t3 ? (t3 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const bool t10 = TB_C(0.0) == side[4];
-    const real_t t11 = t10 ? (t10 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t12 = TB_SQRT(t4 + t6 + t8 + t9 + t11);
-    const real_t t13 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t14 = TB_COPYSIGN(t12, t13);
-    const real_t t15 = TB_C(1.0) / t14;
-    const bool t16 = TB_C(0.0) < side[0];
-    const bool t17 = TB_C(0.0) < side[1];
-    const real_t t18 = (t16 ? TB_C(10.0) * structure[0] : TB_C(0.0)) + (t17 ? TB_C(10.0) *
-        structure[1] : TB_C(0.0));
-    const bool t19 = TB_C(0.0) < side[2];
-    const real_t t20 = t18 + (t19 ? TB_C(10.0) * structure[2] : TB_C(0.0));
-    const bool t21 = TB_C(0.0) < side[3];
-    const real_t t22 = t20 + (t21 ? structure[3] * TB_C(10.0) : TB_C(0.0));
-    const bool t23 = TB_C(0.0) < side[4];
-    const real_t t24 = t22 + (t23 ? TB_C(10.0) * structure[4] : TB_C(0.0));
-    const real_t t25 = t24 * t15;
-    const real_t t26 = t13 + t14;
-    const real_t t27 = t5 ? (t5 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t28 = t7 ? (t7 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t29 = (t1 ? structure[5] * t26 : TB_C(0.0)) + t27 + t28;
-    const real_t t30 = t3 ? (t3 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t31 = t10 ? (t10 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t32 = (t29 + t30 + t31) * (TB_C(1.0) / (t12 * (t12 + TB_ABS(t13))));
-    const real_t t33 = (t1 ? structure[5] : TB_C(0.0)) - t26 * t32;
-    const real_t t34 = structure[6] - structure[1] * t32;
-    const real_t t35 = structure[7] - structure[2] * t32;
-    const real_t t36 = (t5 ? (t5 ? t34 * t34 : TB_C(0.0)) : TB_C(0.0)) + (t7 ? (t7 ? t35 * t35
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const bool t8 = TB_C(0.0) == side[4];
+    const real_t t9 = t8 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t10 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t11 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t12 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t13 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t14 = t8 ? (t8 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t15 = TB_SQRT(t10 + t11 + t12 + t13 + t14);
+    const real_t t16 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t17 = TB_COPYSIGN(t15, t16);
+    const real_t t18 = t16 + t17;
+    const real_t t19 = t2 ? (t2 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t20 = t4 ? (t4 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t21 = (t0 ? t18 * structure[5] : TB_C(0.0)) + t19 + t20;
+    const real_t t22 = t6 ? (t6 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t23 = t8 ? (t8 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t24 = (t21 + t22 + t23) * (TB_C(1.0) / (t15 * (t15 + TB_ABS(t16))));
+    const real_t t25 = structure[6] - structure[1] * t24;
+    const real_t t26 = structure[7] - structure[2] * t24;
+    const real_t t27 = (t2 ? (t2 ? t25 * t25 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t26 * t26
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t37 = structure[8] - structure[3] * t32;
-    const real_t t38 = t36 + (t3 ? (t3 ? t37 * t37 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t39 = structure[9] - structure[4] * t32;
-    const real_t t40 = t38 + (t10 ? (t10 ? t39 * t39 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t41 = TB_COPYSIGN(TB_SQRT(t40), t5 ? t34 : TB_C(0.0));
-    const real_t t42 = TB_C(1.0) / t41;
-    const real_t t43 = (t16 ? TB_C(10.0) * structure[5] : TB_C(0.0)) + (t17 ? TB_C(10.0) *
-        structure[6] : TB_C(0.0));
-    const real_t t44 = t43 + (t19 ? TB_C(10.0) * structure[7] : TB_C(0.0));
-    const real_t t45 = t44 + (t21 ? TB_C(10.0) * structure[8] : TB_C(0.0));
-    const real_t t46 = t45 + (t23 ? TB_C(10.0) * structure[9] : TB_C(0.0));
-    const real_t t47 = t42 * ((t46 + t25 * t33) * t42);
-    const real_t t48 = t15 * (t25 + t33 * t47);
-    const real_t t49 = structure[3] * t48 + structure[8] * t47;
-    const real_t t50 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t49, -(TB_C(10.0) +
-        t49)) : -TB_C(1.0);
-    const real_t t51 = structure[4] * t48 + structure[9] * t47;
-    const real_t t52 = TB_C(0.0) < (t10 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t51, -(TB_C(10.0) +
-        t51)) : -TB_C(1.0);
-    const real_t t53 = structure[0] * t48 + structure[5] * t47;
-    const real_t t54 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t53, -(TB_C(10.0) +
-        t53)) : -TB_C(1.0);
-    const real_t t55 = structure[1] * t48 + structure[6] * t47;
-    const real_t t56 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t55, -(TB_C(10.0) +
-        t55)) : -TB_C(1.0);
-    const real_t t57 = structure[2] * t48 + structure[7] * t47;
-    const real_t t58 = TB_C(0.0) < (t7 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t57, -(TB_C(10.0) +
-        t57)) : -TB_C(1.0);
-    real_t t59, t60, t61, t62, t63;
-    if (t2) {
-        t59 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t60 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
-        t61 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t62 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
-        t63 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t28 = structure[8] - structure[3] * t24;
+    const real_t t29 = t27 + (t6 ? (t6 ? t28 * t28 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t30 = structure[9] - structure[4] * t24;
+    const real_t t31 = t29 + (t8 ? (t8 ? t30 * t30 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t32 = TB_COPYSIGN(TB_SQRT(t31), t2 ? t25 : TB_C(0.0));
+    const real_t t33 = tb_min(TB_C(1.0), tb_min(TB_ABS(t17), TB_ABS(t32)));
+    const real_t t34 = TB_C(1.0) / t33;
+    const real_t t35 = TB_C(64.0) * TB_EPSILON * t34;
+    const bool t36 = TB_C(0.0) <= moving[0];
+    const real_t t37 = TB_C(1.0) / t17;
+    const bool t38 = TB_C(0.0) < side[0];
+    const bool t39 = TB_C(0.0) < side[1];
+    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
+        TB_C(10.0) : TB_C(0.0));
+    const bool t41 = TB_C(0.0) < side[2];
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const bool t43 = TB_C(0.0) < side[3];
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const bool t45 = TB_C(0.0) < side[4];
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t47 = t46 * t37;
+    const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
+    const real_t t49 = TB_C(1.0) / t32;
+    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
+        TB_C(10.0) : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t54 = t49 * ((t53 + t47 * t48) * t49);
+    const real_t t55 = t37 * (t47 + t48 * t54);
+    const real_t t56 = structure[3] * t55 + structure[8] * t54;
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_C(10.0) + t56)) : -TB_C(1.0);
+    const real_t t58 = structure[4] * t55 + structure[9] * t54;
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_C(10.0) + t58)) : -TB_C(1.0);
+    const real_t t60 = structure[0] * t55 + structure[5] * t54;
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_C(10.0) + t60)) : -TB_C(1.0);
+    const real_t t62 = structure[1] * t55 + structure[6] * t54;
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_C(10.0) + t62)) : -TB_C(1.0);
+    const real_t t64 = structure[2] * t55 + structure[7] * t54;
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_C(10.0) + t64)) : -TB_C(1.0);
+    real_t t66, t67, t68, t69, t70;
+    if (t36) {
+        t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
+        t67 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
+        t68 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t69 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t70 = TB_C(2.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t59 = t50;
-        t60 = t52;
-        t61 = t54;
-        t62 = t56;
-        t63 = t58;
+        t66 = t57;
+        t67 = t59;
+        t68 = t61;
+        t69 = t63;
+        t70 = t65;
     }
-    const real_t t64 = tb_max(t61, t62);
-    const bool t65 = tb_max(t59, t60) <= tb_max(t64, t63);
-    real_t t66, t67, t68, t69;
-    if (t65) {
-        const bool t70 = t63 <= t64;
-        real_t t71, t72, t73, t74;
-        if (t70) {
-            const bool t75 = t62 <= t61;
-            t71 = t75 ? TB_C(0.0) : TB_C(1.0);
-            t72 = t75 ? structure[0] : structure[1];
-            t73 = t75 ? structure[5] : structure[6];
-            t74 = t75 ? -t53 : -t55;
+    const real_t t71 = tb_max(t68, t69);
+    const bool t72 = tb_max(t66, t67) <= tb_max(t71, t70);
+    real_t t73, t74, t75, t76;
+    if (t72) {
+        const bool t77 = t70 <= t71;
+        real_t t78, t79, t80, t81;
+        if (t77) {
+            const bool t82 = t69 <= t68;
+            t78 = t82 ? TB_C(0.0) : TB_C(1.0);
+            t79 = t82 ? structure[0] : structure[1];
+            t80 = t82 ? structure[5] : structure[6];
+            t81 = t82 ? -t60 : -t62;
         } else {
-            t71 = TB_C(2.0);
-            t72 = structure[2];
-            t73 = structure[7];
-            t74 = -t57;
+            t78 = TB_C(2.0);
+            t79 = structure[2];
+            t80 = structure[7];
+            t81 = -t64;
         }
-        t66 = t71;
-        t67 = t72;
-        t68 = t73;
-        t69 = t74;
+        t73 = t78;
+        t74 = t79;
+        t75 = t80;
+        t76 = t81;
     } else {
-        const bool t76 = t60 <= t59;
-        t66 = t76 ? TB_C(3.0) : TB_C(4.0);
-        t67 = t76 ? structure[3] : structure[4];
-        t68 = t76 ? structure[8] : structure[9];
-        t69 = t76 ? -t49 : -t51;
+        const bool t83 = t67 <= t66;
+        t73 = t83 ? TB_C(3.0) : TB_C(4.0);
+        t74 = t83 ? structure[3] : structure[4];
+        t75 = t83 ? structure[8] : structure[9];
+        t76 = t83 ? -t56 : -t58;
     }
-    const real_t t77 = t15 * t67;
-    const real_t t78 = t42 * (t42 * (t68 + t33 * t77));
-    const real_t t79 = t15 * (t77 + t33 * t78);
-    const real_t t80 = structure[0] * t79 + structure[5] * t78;
-    const real_t t81 = (TB_C(0.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t80;
-    const real_t t82 = structure[1] * t79 + structure[6] * t78;
-    const real_t t83 = (TB_C(1.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t82;
-    const real_t t84 = (t1 ? (t1 ? t81 * t81 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t83 * t83
+    const real_t t84 = t37 * t74;
+    const real_t t85 = t49 * (t49 * (t75 + t48 * t84));
+    const real_t t86 = t37 * (t84 + t48 * t85);
+    const real_t t87 = structure[0] * t86 + structure[5] * t85;
+    const real_t t88 = (TB_C(0.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t87;
+    const real_t t89 = structure[1] * t86 + structure[6] * t85;
+    const real_t t90 = (TB_C(1.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t89;
+    const real_t t91 = (t0 ? (t0 ? t88 * t88 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t90 * t90
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t85 = structure[2] * t79 + structure[7] * t78;
-    const real_t t86 = (TB_C(2.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t85;
-    const real_t t87 = t84 + (t7 ? (t7 ? t86 * t86 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t88 = structure[3] * t79 + structure[8] * t78;
-    const real_t t89 = (TB_C(3.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t88;
-    const real_t t90 = t87 + (t3 ? (t3 ? t89 * t89 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t91 = structure[4] * t79 + structure[9] * t78;
-    const real_t t92 = (TB_C(4.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t91;
-    const real_t t93 = t90 + (t10 ? (t10 ? t92 * t92 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t94 = t69 + t93 * push[0];
-    const bool t95 = t94 < TB_C(5.0);
-    real_t t96;
-    if (t0 * t0 < t93) {
-        const real_t t97 = tb_max(t95 ? -t94 : t94 - TB_C(10.0), TB_C(0.0)) * (TB_C(1.0) / t93);
-        t96 = t97;
+    const real_t t92 = structure[2] * t86 + structure[7] * t85;
+    const real_t t93 = (TB_C(2.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t92;
+    const real_t t94 = t91 + (t4 ? (t4 ? t93 * t93 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t95 = structure[3] * t86 + structure[8] * t85;
+    const real_t t96 = (TB_C(3.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t95;
+    const real_t t97 = t94 + (t6 ? (t6 ? t96 * t96 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t98 = structure[4] * t86 + structure[9] * t85;
+    const real_t t99 = (TB_C(4.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t98;
+    const real_t t100 = t97 + (t8 ? (t8 ? t99 * t99 : TB_C(0.0)) : TB_C(0.0));
+    const bool t101 = TB_C(2.0) < t1 + t3 + t5 + t7 + t9 && t35 * t35 < t100;
+    const real_t t102 = t76 + t100 * push[0];
+    const bool t103 = t102 < TB_C(5.0);
+    real_t t104;
+    if (t101) {
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        t104 = t105 * (TB_C(1.0) / t100);
     } else {
-        t96 = TB_C(1e+30);
+        t104 = TB_C(1e+30);
     }
-    const real_t t98 = t95 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t99 = side[0] * (t80 * t98);
-    real_t t100;
-    if (t0 < t99) {
-        const real_t t101 = t53 + t80 * push[0] + (t16 ? TB_C(10.0) : TB_C(0.0));
-        t100 = tb_max(-(side[0] * t101), TB_C(0.0)) / t99;
+    const real_t t106 = t103 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t107 = side[0] * (t87 * t106);
+    real_t t108;
+    if (t35 < t107) {
+        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_C(10.0) : TB_C(0.0));
+        t108 = tb_max(-(side[0] * t109), TB_C(0.0)) / t107;
     } else {
-        t100 = TB_C(1e+30);
+        t108 = TB_C(1e+30);
     }
-    const real_t t102 = side[1] * (t82 * t98);
-    real_t t103;
-    if (t0 < t102) {
-        const real_t t104 = t55 + t82 * push[0] + (t17 ? TB_C(10.0) : TB_C(0.0));
-        t103 = tb_max(-(side[1] * t104), TB_C(0.0)) / t102;
+    const real_t t110 = side[1] * (t89 * t106);
+    real_t t111;
+    if (t35 < t110) {
+        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_C(10.0) : TB_C(0.0));
+        t111 = tb_max(-(side[1] * t112), TB_C(0.0)) / t110;
     } else {
-        t103 = TB_C(1e+30);
+        t111 = TB_C(1e+30);
     }
-    const real_t t105 = side[2] * (t85 * t98);
-    real_t t106;
-    if (t0 < t105) {
-        const real_t t107 = t57 + t85 * push[0] + (t19 ? TB_C(10.0) : TB_C(0.0));
-        t106 = tb_max(-(side[2] * t107), TB_C(0.0)) / t105;
+    const real_t t113 = side[2] * (t92 * t106);
+    real_t t114;
+    if (t35 < t113) {
+        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_C(10.0) : TB_C(0.0));
+        t114 = tb_max(-(side[2] * t115), TB_C(0.0)) / t113;
     } else {
-        t106 = TB_C(1e+30);
+        t114 = TB_C(1e+30);
     }
-    const real_t t108 = side[3] * (t88 * t98);
-    real_t t109;
-    if (t0 < t108) {
-        const real_t t110 = t49 + t88 * push[0] + (t21 ? TB_C(10.0) : TB_C(0.0));
-        t109 = tb_max(-(side[3] * t110), TB_C(0.0)) / t108;
+    const real_t t116 = side[3] * (t95 * t106);
+    real_t t117;
+    if (t35 < t116) {
+        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_C(10.0) : TB_C(0.0));
+        t117 = tb_max(-(side[3] * t118), TB_C(0.0)) / t116;
     } else {
-        t109 = TB_C(1e+30);
+        t117 = TB_C(1e+30);
     }
-    const real_t t111 = side[4] * (t91 * t98);
-    real_t t112;
-    if (t0 < t111) {
-        const real_t t113 = t51 + t91 * push[0] + (t23 ? TB_C(10.0) : TB_C(0.0));
-        t112 = tb_max(-(side[4] * t113), TB_C(0.0)) / t111;
+    const real_t t119 = side[4] * (t98 * t106);
+    real_t t120;
+    if (t35 < t119) {
+        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_C(10.0) : TB_C(0.0));
+        t120 = tb_max(-(side[4] * t121), TB_C(0.0)) / t119;
     } else {
-        t112 = TB_C(1e+30);
+        t120 = TB_C(1e+30);
     }
-    const real_t t114 = tb_min(tb_min(tb_min(tb_min(t100, t103), t106), t109), t112);
-    const bool t115 = t96 <= t114;
-    const real_t t116 = tb_max(tb_max(tb_max(tb_max(t54, t56), t58), t50), t52);
-    const real_t t117 = tb_min(TB_C(1.0), tb_min(TB_ABS(t14), TB_ABS(t41)));
-    const bool t118 = (!t2 && t116 <= TB_EPSILON * TB_C(80.0) / t117) || !(tb_min(t96, t114) <
-        TB_C(1e+30));
-    const real_t t119 = t115 && !t118 ? t66 : -TB_C(1.0);
-    const real_t t120 = -t98;
-    real_t t121;
-    if (t115 || t118) {
-        t121 = -TB_C(1.0);
+    const real_t t122 = tb_min(tb_min(tb_min(tb_min(t108, t111), t114), t117), t120);
+    const bool t123 = t104 <= t122;
+    const real_t t124 = tb_max(tb_max(tb_max(tb_max(t61, t63), t65), t57), t59);
+    const bool t125 = (!t36 && t124 <= t34 * (TB_EPSILON * TB_C(80.0))) || !(tb_min(t104, t122)
+        < TB_C(1e+30));
+    const real_t t126 = t123 && !t125 ? t73 : -TB_C(1.0);
+    const real_t t127 = -t106;
+    real_t t128;
+    if (t123 || t125) {
+        t128 = -TB_C(1.0);
     } else {
-        const real_t t122 = -t109;
-        const real_t t123 = -t112;
-        const real_t t124 = -t100;
-        const real_t t125 = -t103;
-        const real_t t126 = tb_max(t124, t125);
-        const real_t t127 = -t106;
-        real_t t128;
-        if (tb_max(t122, t123) <= tb_max(t126, t127)) {
-            const real_t t129 = t127 <= t126 ? (t125 <= t124 ? TB_C(0.0) : TB_C(1.0)) :
+        const real_t t129 = -t117;
+        const real_t t130 = -t120;
+        const real_t t131 = -t108;
+        const real_t t132 = -t111;
+        const real_t t133 = tb_max(t131, t132);
+        const real_t t134 = -t114;
+        real_t t135;
+        if (tb_max(t129, t130) <= tb_max(t133, t134)) {
+            const real_t t136 = t134 <= t133 ? (t132 <= t131 ? TB_C(0.0) : TB_C(1.0)) :
                 TB_C(2.0);
-            t128 = t129;
+            t135 = t136;
         } else {
-            t128 = t123 <= t122 ? TB_C(3.0) : TB_C(4.0);
+            t135 = t130 <= t129 ? TB_C(3.0) : TB_C(4.0);
         }
-        t121 = t128;
+        t128 = t135;
     }
-    const real_t side_0 = TB_C(0.0) == t119 ? t120 : (TB_C(0.0) == t121 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t119 ? t120 : (TB_C(1.0) == t121 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t119 ? t120 : (TB_C(2.0) == t121 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t119 ? t120 : (TB_C(3.0) == t121 ? TB_C(0.0) : side[3]);
-    const real_t side_4 = TB_C(4.0) == t119 ? t120 : (TB_C(4.0) == t121 ? TB_C(0.0) : side[4]);
-    const real_t moving_0 = t115 ? -TB_C(1.0) : t66;
-    const real_t push_0 = t115 ? TB_C(0.0) : push[0] + t98 * t114;
-    const real_t done_0 = t118 ? TB_C(1.0) : TB_C(0.0);
+    const real_t side_0 = TB_C(0.0) == t126 ? t127 : (TB_C(0.0) == t128 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t126 ? t127 : (TB_C(1.0) == t128 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t126 ? t127 : (TB_C(2.0) == t128 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t126 ? t127 : (TB_C(3.0) == t128 ? TB_C(0.0) : side[3]);
+    const real_t side_4 = TB_C(4.0) == t126 ? t127 : (TB_C(4.0) == t128 ? TB_C(0.0) : side[4]);
+    const real_t moving_0 = t123 ? -TB_C(1.0) : t73;
+    const real_t push_0 = t123 ? TB_C(0.0) : push[0] + t106 * t122;
+    const real_t done_0 = t125 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;
@@ -863,220 +865,222 @@ static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rail
 static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[5], real_t moving[1],
     real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[3];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const bool t7 = TB_C(0.0) == side[2];
-    const real_t t8 = t7 ? (t7 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t9 = t3 ? (t3 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const bool t10 = TB_C(0.0) == side[4];
-    const real_t t11 = t10 ? (t10 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t12 = TB_SQRT(t4 + t6 + t8 + t9 + t11);
-    const real_t t13 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t14 = TB_COPYSIGN(t12, t13);
-    const real_t t15 = TB_C(1.0) / t14;
-    const bool t16 = TB_C(0.0) < side[0];
-    const bool t17 = TB_C(0.0) < side[1];
-    const real_t t18 = (t16 ? TB_C(10.0) * structure[0] : TB_C(0.0)) + (t17 ? TB_C(10.0) *
-        structure[1] : TB_C(0.0));
-    const bool t19 = TB_C(0.0) < side[2];
-    const real_t t20 = t18 + (t19 ? TB_C(10.0) * structure[2] : TB_C(0.0));
-    const bool t21 = TB_C(0.0) < side[3];
-    const real_t t22 = t20 + (t21 ? structure[3] * TB_C(10.0) : TB_C(0.0));
-    const bool t23 = TB_C(0.0) < side[4];
-    const real_t t24 = t22 + (t23 ? TB_C(10.0) * structure[4] : TB_C(0.0));
-    const real_t t25 = t24 * t15;
-    const real_t t26 = t13 + t14;
-    const real_t t27 = t5 ? (t5 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t28 = t7 ? (t7 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t29 = (t1 ? structure[5] * t26 : TB_C(0.0)) + t27 + t28;
-    const real_t t30 = t3 ? (t3 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t31 = t10 ? (t10 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t32 = (t29 + t30 + t31) * (TB_C(1.0) / (t12 * (t12 + TB_ABS(t13))));
-    const real_t t33 = (t1 ? structure[5] : TB_C(0.0)) - t26 * t32;
-    const real_t t34 = structure[6] - structure[1] * t32;
-    const real_t t35 = structure[7] - structure[2] * t32;
-    const real_t t36 = (t5 ? (t5 ? t34 * t34 : TB_C(0.0)) : TB_C(0.0)) + (t7 ? (t7 ? t35 * t35
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const bool t8 = TB_C(0.0) == side[4];
+    const real_t t9 = t8 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t10 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t11 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t12 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t13 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t14 = t8 ? (t8 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t15 = TB_SQRT(t10 + t11 + t12 + t13 + t14);
+    const real_t t16 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t17 = TB_COPYSIGN(t15, t16);
+    const real_t t18 = t16 + t17;
+    const real_t t19 = t2 ? (t2 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t20 = t4 ? (t4 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t21 = (t0 ? t18 * structure[5] : TB_C(0.0)) + t19 + t20;
+    const real_t t22 = t6 ? (t6 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t23 = t8 ? (t8 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t24 = (t21 + t22 + t23) * (TB_C(1.0) / (t15 * (t15 + TB_ABS(t16))));
+    const real_t t25 = structure[6] - structure[1] * t24;
+    const real_t t26 = structure[7] - structure[2] * t24;
+    const real_t t27 = (t2 ? (t2 ? t25 * t25 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t26 * t26
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t37 = structure[8] - structure[3] * t32;
-    const real_t t38 = t36 + (t3 ? (t3 ? t37 * t37 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t39 = structure[9] - structure[4] * t32;
-    const real_t t40 = t38 + (t10 ? (t10 ? t39 * t39 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t41 = TB_COPYSIGN(TB_SQRT(t40), t5 ? t34 : TB_C(0.0));
-    const real_t t42 = TB_C(1.0) / t41;
-    const real_t t43 = (t16 ? TB_C(10.0) * structure[5] : TB_C(0.0)) + (t17 ? TB_C(10.0) *
-        structure[6] : TB_C(0.0));
-    const real_t t44 = t43 + (t19 ? TB_C(10.0) * structure[7] : TB_C(0.0));
-    const real_t t45 = t44 + (t21 ? TB_C(10.0) * structure[8] : TB_C(0.0));
-    const real_t t46 = t45 + (t23 ? TB_C(10.0) * structure[9] : TB_C(0.0));
-    const real_t t47 = t42 * ((t46 + t25 * t33) * t42);
-    const real_t t48 = t15 * (t25 + t33 * t47);
-    const real_t t49 = structure[3] * t48 + structure[8] * t47;
-    const real_t t50 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t49, -(TB_C(10.0) +
-        t49)) : -TB_C(1.0);
-    const real_t t51 = structure[4] * t48 + structure[9] * t47;
-    const real_t t52 = TB_C(0.0) < (t10 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t51, -(TB_C(10.0) +
-        t51)) : -TB_C(1.0);
-    const real_t t53 = structure[0] * t48 + structure[5] * t47;
-    const real_t t54 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t53, -(TB_C(10.0) +
-        t53)) : -TB_C(1.0);
-    const real_t t55 = structure[1] * t48 + structure[6] * t47;
-    const real_t t56 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t55, -(TB_C(10.0) +
-        t55)) : -TB_C(1.0);
-    const real_t t57 = structure[2] * t48 + structure[7] * t47;
-    const real_t t58 = TB_C(0.0) < (t7 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t57, -(TB_C(10.0) +
-        t57)) : -TB_C(1.0);
-    real_t t59, t60, t61, t62, t63;
-    if (t2) {
-        t59 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t60 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
-        t61 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t62 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
-        t63 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t28 = structure[8] - structure[3] * t24;
+    const real_t t29 = t27 + (t6 ? (t6 ? t28 * t28 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t30 = structure[9] - structure[4] * t24;
+    const real_t t31 = t29 + (t8 ? (t8 ? t30 * t30 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t32 = TB_COPYSIGN(TB_SQRT(t31), t2 ? t25 : TB_C(0.0));
+    const real_t t33 = tb_min(TB_C(1.0), tb_min(TB_ABS(t17), TB_ABS(t32)));
+    const real_t t34 = TB_C(1.0) / t33;
+    const real_t t35 = TB_C(64.0) * TB_EPSILON * t34;
+    const bool t36 = TB_C(0.0) <= moving[0];
+    const real_t t37 = TB_C(1.0) / t17;
+    const bool t38 = TB_C(0.0) < side[0];
+    const bool t39 = TB_C(0.0) < side[1];
+    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
+        TB_C(10.0) : TB_C(0.0));
+    const bool t41 = TB_C(0.0) < side[2];
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const bool t43 = TB_C(0.0) < side[3];
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const bool t45 = TB_C(0.0) < side[4];
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t47 = t46 * t37;
+    const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
+    const real_t t49 = TB_C(1.0) / t32;
+    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
+        TB_C(10.0) : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t54 = t49 * ((t53 + t47 * t48) * t49);
+    const real_t t55 = t37 * (t47 + t48 * t54);
+    const real_t t56 = structure[3] * t55 + structure[8] * t54;
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_C(10.0) + t56)) : -TB_C(1.0);
+    const real_t t58 = structure[4] * t55 + structure[9] * t54;
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_C(10.0) + t58)) : -TB_C(1.0);
+    const real_t t60 = structure[0] * t55 + structure[5] * t54;
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_C(10.0) + t60)) : -TB_C(1.0);
+    const real_t t62 = structure[1] * t55 + structure[6] * t54;
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_C(10.0) + t62)) : -TB_C(1.0);
+    const real_t t64 = structure[2] * t55 + structure[7] * t54;
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_C(10.0) + t64)) : -TB_C(1.0);
+    real_t t66, t67, t68, t69, t70;
+    if (t36) {
+        t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
+        t67 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
+        t68 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t69 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t70 = TB_C(2.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t59 = t50;
-        t60 = t52;
-        t61 = t54;
-        t62 = t56;
-        t63 = t58;
+        t66 = t57;
+        t67 = t59;
+        t68 = t61;
+        t69 = t63;
+        t70 = t65;
     }
-    const real_t t64 = tb_max(t61, t62);
-    const bool t65 = tb_max(t59, t60) <= tb_max(t64, t63);
-    real_t t66, t67, t68, t69;
-    if (t65) {
-        const bool t70 = t63 <= t64;
-        real_t t71, t72, t73, t74;
-        if (t70) {
-            const bool t75 = t62 <= t61;
-            t71 = t75 ? TB_C(0.0) : TB_C(1.0);
-            t72 = t75 ? structure[0] : structure[1];
-            t73 = t75 ? structure[5] : structure[6];
-            t74 = t75 ? -t53 : -t55;
+    const real_t t71 = tb_max(t68, t69);
+    const bool t72 = tb_max(t66, t67) <= tb_max(t71, t70);
+    real_t t73, t74, t75, t76;
+    if (t72) {
+        const bool t77 = t70 <= t71;
+        real_t t78, t79, t80, t81;
+        if (t77) {
+            const bool t82 = t69 <= t68;
+            t78 = t82 ? TB_C(0.0) : TB_C(1.0);
+            t79 = t82 ? structure[0] : structure[1];
+            t80 = t82 ? structure[5] : structure[6];
+            t81 = t82 ? -t60 : -t62;
         } else {
-            t71 = TB_C(2.0);
-            t72 = structure[2];
-            t73 = structure[7];
-            t74 = -t57;
+            t78 = TB_C(2.0);
+            t79 = structure[2];
+            t80 = structure[7];
+            t81 = -t64;
         }
-        t66 = t71;
-        t67 = t72;
-        t68 = t73;
-        t69 = t74;
+        t73 = t78;
+        t74 = t79;
+        t75 = t80;
+        t76 = t81;
     } else {
-        const bool t76 = t60 <= t59;
-        t66 = t76 ? TB_C(3.0) : TB_C(4.0);
-        t67 = t76 ? structure[3] : structure[4];
-        t68 = t76 ? structure[8] : structure[9];
-        t69 = t76 ? -t49 : -t51;
+        const bool t83 = t67 <= t66;
+        t73 = t83 ? TB_C(3.0) : TB_C(4.0);
+        t74 = t83 ? structure[3] : structure[4];
+        t75 = t83 ? structure[8] : structure[9];
+        t76 = t83 ? -t56 : -t58;
     }
-    const real_t t77 = t15 * t67;
-    const real_t t78 = t42 * (t42 * (t68 + t33 * t77));
-    const real_t t79 = t15 * (t77 + t33 * t78);
-    const real_t t80 = structure[0] * t79 + structure[5] * t78;
-    const real_t t81 = (TB_C(0.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t80;
-    const real_t t82 = structure[1] * t79 + structure[6] * t78;
-    const real_t t83 = (TB_C(1.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t82;
-    const real_t t84 = (t1 ? (t1 ? t81 * t81 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t83 * t83
+    const real_t t84 = t37 * t74;
+    const real_t t85 = t49 * (t49 * (t75 + t48 * t84));
+    const real_t t86 = t37 * (t84 + t48 * t85);
+    const real_t t87 = structure[0] * t86 + structure[5] * t85;
+    const real_t t88 = (TB_C(0.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t87;
+    const real_t t89 = structure[1] * t86 + structure[6] * t85;
+    const real_t t90 = (TB_C(1.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t89;
+    const real_t t91 = (t0 ? (t0 ? t88 * t88 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t90 * t90
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t85 = structure[2] * t79 + structure[7] * t78;
-    const real_t t86 = (TB_C(2.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t85;
-    const real_t t87 = t84 + (t7 ? (t7 ? t86 * t86 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t88 = structure[3] * t79 + structure[8] * t78;
-    const real_t t89 = (TB_C(3.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t88;
-    const real_t t90 = t87 + (t3 ? (t3 ? t89 * t89 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t91 = structure[4] * t79 + structure[9] * t78;
-    const real_t t92 = (TB_C(4.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t91;
-    const real_t t93 = t90 + (t10 ? (t10 ? t92 * t92 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t94 = t69 + t93 * push[0];
-    const bool t95 = t94 < TB_C(5.0);
-    real_t t96;
-    if (t0 * t0 < t93) {
-        const real_t t97 = tb_max(t95 ? -t94 : t94 - TB_C(10.0), TB_C(0.0)) * (TB_C(1.0) / t93);
-        t96 = t97;
+    const real_t t92 = structure[2] * t86 + structure[7] * t85;
+    const real_t t93 = (TB_C(2.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t92;
+    const real_t t94 = t91 + (t4 ? (t4 ? t93 * t93 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t95 = structure[3] * t86 + structure[8] * t85;
+    const real_t t96 = (TB_C(3.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t95;
+    const real_t t97 = t94 + (t6 ? (t6 ? t96 * t96 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t98 = structure[4] * t86 + structure[9] * t85;
+    const real_t t99 = (TB_C(4.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t98;
+    const real_t t100 = t97 + (t8 ? (t8 ? t99 * t99 : TB_C(0.0)) : TB_C(0.0));
+    const bool t101 = TB_C(2.0) < t1 + t3 + t5 + t7 + t9 && t35 * t35 < t100;
+    const real_t t102 = t76 + t100 * push[0];
+    const bool t103 = t102 < TB_C(5.0);
+    real_t t104;
+    if (t101) {
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        t104 = t105 * (TB_C(1.0) / t100);
     } else {
-        t96 = TB_C(1e+30);
+        t104 = TB_C(1e+30);
     }
-    const real_t t98 = t95 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t99 = side[0] * (t80 * t98);
-    real_t t100;
-    if (t0 < t99) {
-        const real_t t101 = t53 + t80 * push[0] + (t16 ? TB_C(10.0) : TB_C(0.0));
-        t100 = tb_max(-(side[0] * t101), TB_C(0.0)) / t99;
+    const real_t t106 = t103 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t107 = side[0] * (t87 * t106);
+    real_t t108;
+    if (t35 < t107) {
+        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_C(10.0) : TB_C(0.0));
+        t108 = tb_max(-(side[0] * t109), TB_C(0.0)) / t107;
     } else {
-        t100 = TB_C(1e+30);
+        t108 = TB_C(1e+30);
     }
-    const real_t t102 = side[1] * (t82 * t98);
-    real_t t103;
-    if (t0 < t102) {
-        const real_t t104 = t55 + t82 * push[0] + (t17 ? TB_C(10.0) : TB_C(0.0));
-        t103 = tb_max(-(side[1] * t104), TB_C(0.0)) / t102;
+    const real_t t110 = side[1] * (t89 * t106);
+    real_t t111;
+    if (t35 < t110) {
+        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_C(10.0) : TB_C(0.0));
+        t111 = tb_max(-(side[1] * t112), TB_C(0.0)) / t110;
     } else {
-        t103 = TB_C(1e+30);
+        t111 = TB_C(1e+30);
     }
-    const real_t t105 = side[2] * (t85 * t98);
-    real_t t106;
-    if (t0 < t105) {
-        const real_t t107 = t57 + t85 * push[0] + (t19 ? TB_C(10.0) : TB_C(0.0));
-        t106 = tb_max(-(side[2] * t107), TB_C(0.0)) / t105;
+    const real_t t113 = side[2] * (t92 * t106);
+    real_t t114;
+    if (t35 < t113) {
+        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_C(10.0) : TB_C(0.0));
+        t114 = tb_max(-(side[2] * t115), TB_C(0.0)) / t113;
     } else {
-        t106 = TB_C(1e+30);
+        t114 = TB_C(1e+30);
     }
-    const real_t t108 = side[3] * (t88 * t98);
-    real_t t109;
-    if (t0 < t108) {
-        const real_t t110 = t49 + t88 * push[0] + (t21 ? TB_C(10.0) : TB_C(0.0));
-        t109 = tb_max(-(side[3] * t110), TB_C(0.0)) / t108;
+    const real_t t116 = side[3] * (t95 * t106);
+    real_t t117;
+    if (t35 < t116) {
+        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_C(10.0) : TB_C(0.0));
+        t117 = tb_max(-(side[3] * t118), TB_C(0.0)) / t116;
     } else {
-        t109 = TB_C(1e+30);
+        t117 = TB_C(1e+30);
     }
-    const real_t t111 = side[4] * (t91 * t98);
-    real_t t112;
-    if (t0 < t111) {
-        const real_t t113 = t51 + t91 * push[0] + (t23 ? TB_C(10.0) : TB_C(0.0));
-        t112 = tb_max(-(side[4] * t113), TB_C(0.0)) / t111;
+    const real_t t119 = side[4] * (t98 * t106);
+    real_t t120;
+    if (t35 < t119) {
+        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_C(10.0) : TB_C(0.0));
+        t120 = tb_max(-(side[4] * t121), TB_C(0.0)) / t119;
     } else {
-        t112 = TB_C(1e+30);
+        t120 = TB_C(1e+30);
     }
-    const real_t t114 = tb_min(tb_min(tb_min(tb_min(t100, t103), t106), t109), t112);
-    const bool t115 = t96 <= t114;
-    const real_t t116 = tb_max(tb_max(tb_max(tb_max(t54, t56), t58), t50), t52);
-    const real_t t117 = tb_min(TB_C(1.0), tb_min(TB_ABS(t14), TB_ABS(t41)));
-    const bool t118 = (!t2 && t116 <= TB_EPSILON * TB_C(80.0) / t117) || !(tb_min(t96, t114) <
-        TB_C(1e+30));
-    const real_t t119 = t115 && !t118 ? t66 : -TB_C(1.0);
-    const real_t t120 = -t98;
-    real_t t121;
-    if (t115 || t118) {
-        t121 = -TB_C(1.0);
+    const real_t t122 = tb_min(tb_min(tb_min(tb_min(t108, t111), t114), t117), t120);
+    const bool t123 = t104 <= t122;
+    const real_t t124 = tb_max(tb_max(tb_max(tb_max(t61, t63), t65), t57), t59);
+    const bool t125 = (!t36 && t124 <= t34 * (TB_EPSILON * TB_C(80.0))) || !(tb_min(t104, t122)
+        < TB_C(1e+30));
+    const real_t t126 = t123 && !t125 ? t73 : -TB_C(1.0);
+    const real_t t127 = -t106;
+    real_t t128;
+    if (t123 || t125) {
+        t128 = -TB_C(1.0);
     } else {
-        const real_t t122 = -t109;
-        const real_t t123 = -t112;
-        const real_t t124 = -t100;
-        const real_t t125 = -t103;
-        const real_t t126 = tb_max(t124, t125);
-        const real_t t127 = -t106;
-        real_t t128;
-        if (tb_max(t122, t123) <= tb_max(t126, t127)) {
-            const real_t t129 = t127 <= t126 ? (t125 <= t124 ? TB_C(0.0) : TB_C(1.0)) :
+        const real_t t129 = -t117;
+        const real_t t130 = -t120;
+        const real_t t131 = -t108;
+        const real_t t132 = -t111;
+        const real_t t133 = tb_max(t131, t132);
+        const real_t t134 = -t114;
+        real_t t135;
+        if (tb_max(t129, t130) <= tb_max(t133, t134)) {
+            const real_t t136 = t134 <= t133 ? (t132 <= t131 ? TB_C(0.0) : TB_C(1.0)) :
                 TB_C(2.0);
-            t128 = t129;
+            t135 = t136;
         } else {
-            t128 = t123 <= t122 ? TB_C(3.0) : TB_C(4.0);
+            t135 = t130 <= t129 ? TB_C(3.0) : TB_C(4.0);
         }
-        t121 = t128;
+        t128 = t135;
     }
-    const real_t side_0 = TB_C(0.0) == t119 ? t120 : (TB_C(0.0) == t121 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t119 ? t120 : (TB_C(1.0) == t121 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t119 ? t120 : (TB_C(2.0) == t121 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t119 ? t120 : (TB_C(3.0) == t121 ? TB_C(0.0) : side[3]);
-    const real_t side_4 = TB_C(4.0) == t119 ? t120 : (TB_C(4.0) == t121 ? TB_C(0.0) : side[4]);
-    const real_t moving_0 = t115 ? -TB_C(1.0) : t66;
-    const real_t push_0 = t115 ? TB_C(0.0) : push[0] + t98 * t114;
-    const real_t done_0 = t118 ? TB_C(1.0) : TB_C(0.0);
+    const real_t side_0 = TB_C(0.0) == t126 ? t127 : (TB_C(0.0) == t128 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t126 ? t127 : (TB_C(1.0) == t128 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t126 ? t127 : (TB_C(2.0) == t128 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t126 ? t127 : (TB_C(3.0) == t128 ? TB_C(0.0) : side[3]);
+    const real_t side_4 = TB_C(4.0) == t126 ? t127 : (TB_C(4.0) == t128 ? TB_C(0.0) : side[4]);
+    const real_t moving_0 = t123 ? -TB_C(1.0) : t73;
+    const real_t push_0 = t123 ? TB_C(0.0) : push[0] + t106 * t122;
+    const real_t done_0 = t125 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;
@@ -1395,220 +1399,222 @@ static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_
 static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t side[5], real_t
     moving[1], real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[3];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const bool t7 = TB_C(0.0) == side[2];
-    const real_t t8 = t7 ? (t7 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t9 = t3 ? (t3 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const bool t10 = TB_C(0.0) == side[4];
-    const real_t t11 = t10 ? (t10 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t12 = TB_SQRT(t4 + t6 + t8 + t9 + t11);
-    const real_t t13 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t14 = TB_COPYSIGN(t12, t13);
-    const real_t t15 = TB_C(1.0) / t14;
-    const bool t16 = TB_C(0.0) < side[0];
-    const bool t17 = TB_C(0.0) < side[1];
-    const real_t t18 = (t16 ? TB_C(10.0) * structure[0] : TB_C(0.0)) + (t17 ? TB_C(10.0) *
-        structure[1] : TB_C(0.0));
-    const bool t19 = TB_C(0.0) < side[2];
-    const real_t t20 = t18 + (t19 ? TB_C(10.0) * structure[2] : TB_C(0.0));
-    const bool t21 = TB_C(0.0) < side[3];
-    const real_t t22 = t20 + (t21 ? structure[3] * TB_C(10.0) : TB_C(0.0));
-    const bool t23 = TB_C(0.0) < side[4];
-    const real_t t24 = t22 + (t23 ? TB_C(10.0) * structure[4] : TB_C(0.0));
-    const real_t t25 = t24 * t15;
-    const real_t t26 = t13 + t14;
-    const real_t t27 = t5 ? (t5 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t28 = t7 ? (t7 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t29 = (t1 ? structure[5] * t26 : TB_C(0.0)) + t27 + t28;
-    const real_t t30 = t3 ? (t3 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t31 = t10 ? (t10 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t32 = (t29 + t30 + t31) * (TB_C(1.0) / (t12 * (t12 + TB_ABS(t13))));
-    const real_t t33 = (t1 ? structure[5] : TB_C(0.0)) - t26 * t32;
-    const real_t t34 = structure[6] - structure[1] * t32;
-    const real_t t35 = structure[7] - structure[2] * t32;
-    const real_t t36 = (t5 ? (t5 ? t34 * t34 : TB_C(0.0)) : TB_C(0.0)) + (t7 ? (t7 ? t35 * t35
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const bool t8 = TB_C(0.0) == side[4];
+    const real_t t9 = t8 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t10 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t11 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t12 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t13 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t14 = t8 ? (t8 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t15 = TB_SQRT(t10 + t11 + t12 + t13 + t14);
+    const real_t t16 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t17 = TB_COPYSIGN(t15, t16);
+    const real_t t18 = t16 + t17;
+    const real_t t19 = t2 ? (t2 ? structure[1] * structure[6] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t20 = t4 ? (t4 ? structure[2] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t21 = (t0 ? t18 * structure[5] : TB_C(0.0)) + t19 + t20;
+    const real_t t22 = t6 ? (t6 ? structure[3] * structure[8] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t23 = t8 ? (t8 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t24 = (t21 + t22 + t23) * (TB_C(1.0) / (t15 * (t15 + TB_ABS(t16))));
+    const real_t t25 = structure[6] - structure[1] * t24;
+    const real_t t26 = structure[7] - structure[2] * t24;
+    const real_t t27 = (t2 ? (t2 ? t25 * t25 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t26 * t26
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t37 = structure[8] - structure[3] * t32;
-    const real_t t38 = t36 + (t3 ? (t3 ? t37 * t37 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t39 = structure[9] - structure[4] * t32;
-    const real_t t40 = t38 + (t10 ? (t10 ? t39 * t39 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t41 = TB_COPYSIGN(TB_SQRT(t40), t5 ? t34 : TB_C(0.0));
-    const real_t t42 = TB_C(1.0) / t41;
-    const real_t t43 = (t16 ? TB_C(10.0) * structure[5] : TB_C(0.0)) + (t17 ? TB_C(10.0) *
-        structure[6] : TB_C(0.0));
-    const real_t t44 = t43 + (t19 ? TB_C(10.0) * structure[7] : TB_C(0.0));
-    const real_t t45 = t44 + (t21 ? TB_C(10.0) * structure[8] : TB_C(0.0));
-    const real_t t46 = t45 + (t23 ? TB_C(10.0) * structure[9] : TB_C(0.0));
-    const real_t t47 = t42 * ((t46 + t25 * t33) * t42);
-    const real_t t48 = t15 * (t25 + t33 * t47);
-    const real_t t49 = structure[3] * t48 + structure[8] * t47;
-    const real_t t50 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t49, -(TB_C(10.0) +
-        t49)) : -TB_C(1.0);
-    const real_t t51 = structure[4] * t48 + structure[9] * t47;
-    const real_t t52 = TB_C(0.0) < (t10 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t51, -(TB_C(10.0) +
-        t51)) : -TB_C(1.0);
-    const real_t t53 = structure[0] * t48 + structure[5] * t47;
-    const real_t t54 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t53, -(TB_C(10.0) +
-        t53)) : -TB_C(1.0);
-    const real_t t55 = structure[1] * t48 + structure[6] * t47;
-    const real_t t56 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t55, -(TB_C(10.0) +
-        t55)) : -TB_C(1.0);
-    const real_t t57 = structure[2] * t48 + structure[7] * t47;
-    const real_t t58 = TB_C(0.0) < (t7 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(t57, -(TB_C(10.0) +
-        t57)) : -TB_C(1.0);
-    real_t t59, t60, t61, t62, t63;
-    if (t2) {
-        t59 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t60 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
-        t61 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t62 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
-        t63 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t28 = structure[8] - structure[3] * t24;
+    const real_t t29 = t27 + (t6 ? (t6 ? t28 * t28 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t30 = structure[9] - structure[4] * t24;
+    const real_t t31 = t29 + (t8 ? (t8 ? t30 * t30 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t32 = TB_COPYSIGN(TB_SQRT(t31), t2 ? t25 : TB_C(0.0));
+    const real_t t33 = tb_min(TB_C(1.0), tb_min(TB_ABS(t17), TB_ABS(t32)));
+    const real_t t34 = TB_C(1.0) / t33;
+    const real_t t35 = TB_C(64.0) * TB_EPSILON * t34;
+    const bool t36 = TB_C(0.0) <= moving[0];
+    const real_t t37 = TB_C(1.0) / t17;
+    const bool t38 = TB_C(0.0) < side[0];
+    const bool t39 = TB_C(0.0) < side[1];
+    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
+        TB_C(10.0) : TB_C(0.0));
+    const bool t41 = TB_C(0.0) < side[2];
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const bool t43 = TB_C(0.0) < side[3];
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const bool t45 = TB_C(0.0) < side[4];
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t47 = t46 * t37;
+    const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
+    const real_t t49 = TB_C(1.0) / t32;
+    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
+        TB_C(10.0) : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t54 = t49 * ((t53 + t47 * t48) * t49);
+    const real_t t55 = t37 * (t47 + t48 * t54);
+    const real_t t56 = structure[3] * t55 + structure[8] * t54;
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_C(10.0) + t56)) : -TB_C(1.0);
+    const real_t t58 = structure[4] * t55 + structure[9] * t54;
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_C(10.0) + t58)) : -TB_C(1.0);
+    const real_t t60 = structure[0] * t55 + structure[5] * t54;
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_C(10.0) + t60)) : -TB_C(1.0);
+    const real_t t62 = structure[1] * t55 + structure[6] * t54;
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_C(10.0) + t62)) : -TB_C(1.0);
+    const real_t t64 = structure[2] * t55 + structure[7] * t54;
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_C(10.0) + t64)) : -TB_C(1.0);
+    real_t t66, t67, t68, t69, t70;
+    if (t36) {
+        t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
+        t67 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
+        t68 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t69 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t70 = TB_C(2.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t59 = t50;
-        t60 = t52;
-        t61 = t54;
-        t62 = t56;
-        t63 = t58;
+        t66 = t57;
+        t67 = t59;
+        t68 = t61;
+        t69 = t63;
+        t70 = t65;
     }
-    const real_t t64 = tb_max(t61, t62);
-    const bool t65 = tb_max(t59, t60) <= tb_max(t64, t63);
-    real_t t66, t67, t68, t69;
-    if (t65) {
-        const bool t70 = t63 <= t64;
-        real_t t71, t72, t73, t74;
-        if (t70) {
-            const bool t75 = t62 <= t61;
-            t71 = t75 ? TB_C(0.0) : TB_C(1.0);
-            t72 = t75 ? structure[0] : structure[1];
-            t73 = t75 ? structure[5] : structure[6];
-            t74 = t75 ? -t53 : -t55;
+    const real_t t71 = tb_max(t68, t69);
+    const bool t72 = tb_max(t66, t67) <= tb_max(t71, t70);
+    real_t t73, t74, t75, t76;
+    if (t72) {
+        const bool t77 = t70 <= t71;
+        real_t t78, t79, t80, t81;
+        if (t77) {
+            const bool t82 = t69 <= t68;
+            t78 = t82 ? TB_C(0.0) : TB_C(1.0);
+            t79 = t82 ? structure[0] : structure[1];
+            t80 = t82 ? structure[5] : structure[6];
+            t81 = t82 ? -t60 : -t62;
         } else {
-            t71 = TB_C(2.0);
-            t72 = structure[2];
-            t73 = structure[7];
-            t74 = -t57;
+            t78 = TB_C(2.0);
+            t79 = structure[2];
+            t80 = structure[7];
+            t81 = -t64;
         }
-        t66 = t71;
-        t67 = t72;
-        t68 = t73;
-        t69 = t74;
+        t73 = t78;
+        t74 = t79;
+        t75 = t80;
+        t76 = t81;
     } else {
-        const bool t76 = t60 <= t59;
-        t66 = t76 ? TB_C(3.0) : TB_C(4.0);
-        t67 = t76 ? structure[3] : structure[4];
-        t68 = t76 ? structure[8] : structure[9];
-        t69 = t76 ? -t49 : -t51;
+        const bool t83 = t67 <= t66;
+        t73 = t83 ? TB_C(3.0) : TB_C(4.0);
+        t74 = t83 ? structure[3] : structure[4];
+        t75 = t83 ? structure[8] : structure[9];
+        t76 = t83 ? -t56 : -t58;
     }
-    const real_t t77 = t15 * t67;
-    const real_t t78 = t42 * (t42 * (t68 + t33 * t77));
-    const real_t t79 = t15 * (t77 + t33 * t78);
-    const real_t t80 = structure[0] * t79 + structure[5] * t78;
-    const real_t t81 = (TB_C(0.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t80;
-    const real_t t82 = structure[1] * t79 + structure[6] * t78;
-    const real_t t83 = (TB_C(1.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t82;
-    const real_t t84 = (t1 ? (t1 ? t81 * t81 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t83 * t83
+    const real_t t84 = t37 * t74;
+    const real_t t85 = t49 * (t49 * (t75 + t48 * t84));
+    const real_t t86 = t37 * (t84 + t48 * t85);
+    const real_t t87 = structure[0] * t86 + structure[5] * t85;
+    const real_t t88 = (TB_C(0.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t87;
+    const real_t t89 = structure[1] * t86 + structure[6] * t85;
+    const real_t t90 = (TB_C(1.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t89;
+    const real_t t91 = (t0 ? (t0 ? t88 * t88 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t90 * t90
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t85 = structure[2] * t79 + structure[7] * t78;
-    const real_t t86 = (TB_C(2.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t85;
-    const real_t t87 = t84 + (t7 ? (t7 ? t86 * t86 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t88 = structure[3] * t79 + structure[8] * t78;
-    const real_t t89 = (TB_C(3.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t88;
-    const real_t t90 = t87 + (t3 ? (t3 ? t89 * t89 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t91 = structure[4] * t79 + structure[9] * t78;
-    const real_t t92 = (TB_C(4.0) == t66 ? TB_C(1.0) : TB_C(0.0)) - t91;
-    const real_t t93 = t90 + (t10 ? (t10 ? t92 * t92 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t94 = t69 + t93 * push[0];
-    const bool t95 = t94 < TB_C(5.0);
-    real_t t96;
-    if (t0 * t0 < t93) {
-        const real_t t97 = tb_max(t95 ? -t94 : t94 - TB_C(10.0), TB_C(0.0)) * (TB_C(1.0) / t93);
-        t96 = t97;
+    const real_t t92 = structure[2] * t86 + structure[7] * t85;
+    const real_t t93 = (TB_C(2.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t92;
+    const real_t t94 = t91 + (t4 ? (t4 ? t93 * t93 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t95 = structure[3] * t86 + structure[8] * t85;
+    const real_t t96 = (TB_C(3.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t95;
+    const real_t t97 = t94 + (t6 ? (t6 ? t96 * t96 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t98 = structure[4] * t86 + structure[9] * t85;
+    const real_t t99 = (TB_C(4.0) == t73 ? TB_C(1.0) : TB_C(0.0)) - t98;
+    const real_t t100 = t97 + (t8 ? (t8 ? t99 * t99 : TB_C(0.0)) : TB_C(0.0));
+    const bool t101 = TB_C(2.0) < t1 + t3 + t5 + t7 + t9 && t35 * t35 < t100;
+    const real_t t102 = t76 + t100 * push[0];
+    const bool t103 = t102 < TB_C(5.0);
+    real_t t104;
+    if (t101) {
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        t104 = t105 * (TB_C(1.0) / t100);
     } else {
-        t96 = TB_C(1e+30);
+        t104 = TB_C(1e+30);
     }
-    const real_t t98 = t95 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t99 = side[0] * (t80 * t98);
-    real_t t100;
-    if (t0 < t99) {
-        const real_t t101 = t53 + t80 * push[0] + (t16 ? TB_C(10.0) : TB_C(0.0));
-        t100 = tb_max(-(side[0] * t101), TB_C(0.0)) / t99;
+    const real_t t106 = t103 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t107 = side[0] * (t87 * t106);
+    real_t t108;
+    if (t35 < t107) {
+        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_C(10.0) : TB_C(0.0));
+        t108 = tb_max(-(side[0] * t109), TB_C(0.0)) / t107;
     } else {
-        t100 = TB_C(1e+30);
+        t108 = TB_C(1e+30);
     }
-    const real_t t102 = side[1] * (t82 * t98);
-    real_t t103;
-    if (t0 < t102) {
-        const real_t t104 = t55 + t82 * push[0] + (t17 ? TB_C(10.0) : TB_C(0.0));
-        t103 = tb_max(-(side[1] * t104), TB_C(0.0)) / t102;
+    const real_t t110 = side[1] * (t89 * t106);
+    real_t t111;
+    if (t35 < t110) {
+        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_C(10.0) : TB_C(0.0));
+        t111 = tb_max(-(side[1] * t112), TB_C(0.0)) / t110;
     } else {
-        t103 = TB_C(1e+30);
+        t111 = TB_C(1e+30);
     }
-    const real_t t105 = side[2] * (t85 * t98);
-    real_t t106;
-    if (t0 < t105) {
-        const real_t t107 = t57 + t85 * push[0] + (t19 ? TB_C(10.0) : TB_C(0.0));
-        t106 = tb_max(-(side[2] * t107), TB_C(0.0)) / t105;
+    const real_t t113 = side[2] * (t92 * t106);
+    real_t t114;
+    if (t35 < t113) {
+        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_C(10.0) : TB_C(0.0));
+        t114 = tb_max(-(side[2] * t115), TB_C(0.0)) / t113;
     } else {
-        t106 = TB_C(1e+30);
+        t114 = TB_C(1e+30);
     }
-    const real_t t108 = side[3] * (t88 * t98);
-    real_t t109;
-    if (t0 < t108) {
-        const real_t t110 = t49 + t88 * push[0] + (t21 ? TB_C(10.0) : TB_C(0.0));
-        t109 = tb_max(-(side[3] * t110), TB_C(0.0)) / t108;
+    const real_t t116 = side[3] * (t95 * t106);
+    real_t t117;
+    if (t35 < t116) {
+        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_C(10.0) : TB_C(0.0));
+        t117 = tb_max(-(side[3] * t118), TB_C(0.0)) / t116;
     } else {
-        t109 = TB_C(1e+30);
+        t117 = TB_C(1e+30);
     }
-    const real_t t111 = side[4] * (t91 * t98);
-    real_t t112;
-    if (t0 < t111) {
-        const real_t t113 = t51 + t91 * push[0] + (t23 ? TB_C(10.0) : TB_C(0.0));
-        t112 = tb_max(-(side[4] * t113), TB_C(0.0)) / t111;
+    const real_t t119 = side[4] * (t98 * t106);
+    real_t t120;
+    if (t35 < t119) {
+        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_C(10.0) : TB_C(0.0));
+        t120 = tb_max(-(side[4] * t121), TB_C(0.0)) / t119;
     } else {
-        t112 = TB_C(1e+30);
+        t120 = TB_C(1e+30);
     }
-    const real_t t114 = tb_min(tb_min(tb_min(tb_min(t100, t103), t106), t109), t112);
-    const bool t115 = t96 <= t114;
-    const real_t t116 = tb_max(tb_max(tb_max(tb_max(t54, t56), t58), t50), t52);
-    const real_t t117 = tb_min(TB_C(1.0), tb_min(TB_ABS(t14), TB_ABS(t41)));
-    const bool t118 = (!t2 && t116 <= TB_EPSILON * TB_C(80.0) / t117) || !(tb_min(t96, t114) <
-        TB_C(1e+30));
-    const real_t t119 = t115 && !t118 ? t66 : -TB_C(1.0);
-    const real_t t120 = -t98;
-    real_t t121;
-    if (t115 || t118) {
-        t121 = -TB_C(1.0);
+    const real_t t122 = tb_min(tb_min(tb_min(tb_min(t108, t111), t114), t117), t120);
+    const bool t123 = t104 <= t122;
+    const real_t t124 = tb_max(tb_max(tb_max(tb_max(t61, t63), t65), t57), t59);
+    const bool t125 = (!t36 && t124 <= t34 * (TB_EPSILON * TB_C(80.0))) || !(tb_min(t104, t122)
+        < TB_C(1e+30));
+    const real_t t126 = t123 && !t125 ? t73 : -TB_C(1.0);
+    const real_t t127 = -t106;
+    real_t t128;
+    if (t123 || t125) {
+        t128 = -TB_C(1.0);
     } else {
-        const real_t t122 = -t109;
-        const real_t t123 = -t112;
-        const real_t t124 = -t100;
-        const real_t t125 = -t103;
-        const real_t t126 = tb_max(t124, t125);
-        const real_t t127 = -t106;
-        real_t t128;
-        if (tb_max(t122, t123) <= tb_max(t126, t127)) {
-            const real_t t129 = t127 <= t126 ? (t125 <= t124 ? TB_C(0.0) : TB_C(1.0)) :
+        const real_t t129 = -t117;
+        const real_t t130 = -t120;
+        const real_t t131 = -t108;
+        const real_t t132 = -t111;
+        const real_t t133 = tb_max(t131, t132);
+        const real_t t134 = -t114;
+        real_t t135;
+        if (tb_max(t129, t130) <= tb_max(t133, t134)) {
+            const real_t t136 = t134 <= t133 ? (t132 <= t131 ? TB_C(0.0) : TB_C(1.0)) :
                 TB_C(2.0);
-            t128 = t129;
+            t135 = t136;
         } else {
-            t128 = t123 <= t122 ? TB_C(3.0) : TB_C(4.0);
+            t135 = t130 <= t129 ? TB_C(3.0) : TB_C(4.0);
         }
-        t121 = t128;
+        t128 = t135;
     }
-    const real_t side_0 = TB_C(0.0) == t119 ? t120 : (TB_C(0.0) == t121 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t119 ? t120 : (TB_C(1.0) == t121 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t119 ? t120 : (TB_C(2.0) == t121 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t119 ? t120 : (TB_C(3.0) == t121 ? TB_C(0.0) : side[3]);
-    const real_t side_4 = TB_C(4.0) == t119 ? t120 : (TB_C(4.0) == t121 ? TB_C(0.0) : side[4]);
-    const real_t moving_0 = t115 ? -TB_C(1.0) : t66;
-    const real_t push_0 = t115 ? TB_C(0.0) : push[0] + t98 * t114;
-    const real_t done_0 = t118 ? TB_C(1.0) : TB_C(0.0);
+    const real_t side_0 = TB_C(0.0) == t126 ? t127 : (TB_C(0.0) == t128 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t126 ? t127 : (TB_C(1.0) == t128 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t126 ? t127 : (TB_C(2.0) == t128 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t126 ? t127 : (TB_C(3.0) == t128 ? TB_C(0.0) : side[3]);
+    const real_t side_4 = TB_C(4.0) == t126 ? t127 : (TB_C(4.0) == t128 ? TB_C(0.0) : side[4]);
+    const real_t moving_0 = t123 ? -TB_C(1.0) : t73;
+    const real_t push_0 = t123 ? TB_C(0.0) : push[0] + t106 * t122;
+    const real_t done_0 = t125 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;

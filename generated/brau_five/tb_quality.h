@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine cca5df673a8626e0, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 284fed07d9d997e6, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -49,7 +49,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
  *  Error of tension: double at most 0.0e+00 N; float at most 0.0e+00 N.
  *  At most 25 steps.
- *  Cost, all branches and steps: 2380 add, 2515 mul, 261 div, 59 sqrt, 1369 compare, 3869
+ *  Cost, all branches and steps: 2480 add, 2565 mul, 261 div, 59 sqrt, 1394 compare, 3869
  *    select. */
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], real_t tension[5]);
 
@@ -63,7 +63,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
  *  Error of factor: double at most 0.0e+00; float at most 0.0e+00.
  *  At most 25 steps.
- *  Cost, all branches and steps: 2367 add, 2496 mul, 260 div, 59 sqrt, 1369 compare, 3860
+ *  Cost, all branches and steps: 2467 add, 2546 mul, 260 div, 59 sqrt, 1394 compare, 3860
  *    select. */
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t factor[1]);
 
@@ -75,10 +75,10 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INACCURATE: not done after 25 steps.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of force: double at most 1.8e-14 N (worst found 4.4e-15 at pose (0.632, 0.3542));
- *    float at most 1.1e-05 N (worst found 2.6e-06 at pose (0.5674, 0.4449)).
+ *  Error of force: double at most 1.8e-14 N (worst found 4.5e-15 at pose (0.4137, 0.5)); float
+ *    at most 9.2e-06 N (worst found 2.3e-06 at pose (0.4783, 0.4987)).
  *  At most 25 steps.
- *  Cost, all branches and steps: 2402 add, 2536 mul, 259 div, 59 sqrt, 1418 compare, 3931
+ *  Cost, all branches and steps: 2502 add, 2586 mul, 259 div, 59 sqrt, 1443 compare, 3931
  *    select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);
 

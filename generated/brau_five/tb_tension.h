@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine cca5df673a8626e0, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 284fed07d9d997e6, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -41,11 +41,11 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
  *  TB_INACCURATE: not done after 25 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 2.1e-13 N; float at most 6.8e-05 N.
- *  Error of delivered: double at most 1.4e-14 N; float at most 1.5e-05 N.
- *  Error of kkt_residual: double at most 1.4e-14 N; float at most 1.5e-05 N.
+ *  Error of tension: double at most 2.5e-13 N; float at most 3.6e-04 N.
+ *  Error of delivered: double at most 2.8e-14 N; float at most 1.5e-05 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.5e-05 N.
  *  At most 25 steps.
- *  Cost, all branches and steps: 2114 add, 2463 mul, 256 div, 54 sqrt, 1363 compare, 3860
+ *  Cost, all branches and steps: 2214 add, 2513 mul, 256 div, 54 sqrt, 1388 compare, 3860
  *    select. */
 tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[2], real_t
     tension[5], real_t delivered[2], real_t kkt_residual[1]);
@@ -60,11 +60,11 @@ tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[
  *  TB_INACCURATE: not done after 25 steps.
  *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
- *  Error of tension: double at most 3.4e-14 N; float at most 1.4e-05 N.
- *  Error of delivered: double at most 3.1e-14 N; float at most 1.5e-05 N.
- *  Error of kkt_residual: double at most 1.0e-10 N; float at most 3.6e-02 N.
+ *  Error of tension: double at most 7.5e-13 N; float at most 6.5e-05 N.
+ *  Error of delivered: double at most 7.4e-13 N; float at most 6.6e-05 N.
+ *  Error of kkt_residual: double at most 1.0e-10 N; float at most 9.8e-03 N.
  *  At most 25 steps.
- *  Cost, all branches and steps: 2148 add, 2500 mul, 256 div, 54 sqrt, 1368 compare, 3876
+ *  Cost, all branches and steps: 2248 add, 2550 mul, 256 div, 54 sqrt, 1393 compare, 3876
  *    select. */
 tb_status tb_distribute_tension_paper(const real_t structure[10], const real_t wrench[2],
     real_t tension[5], real_t delivered[2], real_t kkt_residual[1]);
@@ -80,11 +80,11 @@ tb_status tb_distribute_tension_paper(const real_t structure[10], const real_t w
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 4.8e-10 N; float at most 1.1e-01 N.
- *  Error of delivered: double at most 9.7e-13 N; float at most 4.5e-04 N.
- *  Error of kkt_residual: double at most 2.9e-14 N; float at most 1.5e-05 N.
+ *  Error of tension: double at most 4.3e-10 N; float at most 1.5e-01 N.
+ *  Error of delivered: double at most 6.5e-12 N; float at most 2.1e-04 N.
+ *  Error of kkt_residual: double at most 2.3e-14 N; float at most 2.1e-04 N.
  *  At most 75 steps.
- *  Cost, all branches and steps: 6525 add, 7545 mul, 778 div, 162 sqrt, 4160 compare, 11699
+ *  Cost, all branches and steps: 6825 add, 7695 mul, 778 div, 162 sqrt, 4235 compare, 11699
  *    select. */
 tb_status tb_distribute_tension_scale(const real_t structure[10], const real_t wrench[2],
     real_t tension[5], real_t delivered[2], real_t kkt_residual[1]);
@@ -100,11 +100,11 @@ tb_status tb_distribute_tension_scale(const real_t structure[10], const real_t w
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 1.2e-10 N; float at most 2.9e-02 N.
- *  Error of delivered: double at most 3.8e-14 N; float at most 3.2e-05 N.
- *  Error of kkt_residual: double at most 2.8e-14 N; float at most 3.2e-05 N.
+ *  Error of tension: double at most 8.2e-11 N; float at most 4.4e-02 N.
+ *  Error of delivered: double at most 3.1e-14 N; float at most 1.6e-04 N.
+ *  Error of kkt_residual: double at most 1.4e-14 N; float at most 1.6e-04 N.
  *  At most 75 steps.
- *  Cost, all branches and steps: 6485 add, 7507 mul, 773 div, 162 sqrt, 4149 compare, 11651
+ *  Cost, all branches and steps: 6785 add, 7657 mul, 773 div, 162 sqrt, 4224 compare, 11651
  *    select. */
 tb_status tb_distribute_tension_closest(const real_t structure[10], const real_t wrench[2],
     real_t tension[5], real_t delivered[2], real_t kkt_residual[1]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 68e681985d98759e, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 1dc56f2340e97991, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 

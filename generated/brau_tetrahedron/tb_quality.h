@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine a609f00b6706a158, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine dd2fab897bffbf7a, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -20,7 +20,7 @@
  *  Error of tension: double at most 0.0e+00 N; float at most 0.0e+00 N.
  *  At most 20 steps.
  *  Visits 6 subsets of the cables.
- *  Cost, all branches and steps: 2354 add, 2849 mul, 247 div, 79 sqrt, 955 compare, 3103
+ *  Cost, all branches and steps: 2414 add, 2889 mul, 247 div, 79 sqrt, 975 compare, 3103
  *    select. */
 tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[1], real_t tension[4]);
 
@@ -37,7 +37,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[1], re
  *  Error of factor: double at most 0.0e+00; float at most 0.0e+00.
  *  At most 20 steps.
  *  Visits 6 subsets of the cables.
- *  Cost, all branches and steps: 2354 add, 2849 mul, 248 div, 79 sqrt, 956 compare, 3107
+ *  Cost, all branches and steps: 2414 add, 2889 mul, 248 div, 79 sqrt, 976 compare, 3107
  *    select. */
 tb_status tb_tension_factor(const real_t pose[3], const real_t rails[1], real_t factor[1]);
 

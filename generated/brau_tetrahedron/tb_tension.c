@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine a609f00b6706a158, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine dd2fab897bffbf7a, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */
@@ -73,207 +73,209 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[12], const r
 static tb_status tb_least_norm_tension_step(const real_t structure[12], const real_t wrench[3], real_t
     side[4], real_t moving[1], real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[2];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t7 = t3 ? (t3 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const bool t8 = TB_C(0.0) == side[3];
-    const real_t t9 = t8 ? (t8 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t10 = TB_SQRT(t4 + t6 + t7 + t9);
-    const real_t t11 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t12 = TB_COPYSIGN(t10, t11);
-    const real_t t13 = TB_C(1.0) / t12;
-    const bool t14 = TB_C(0.0) < side[0];
-    const bool t15 = TB_C(0.0) < side[1];
-    const real_t t16 = (t14 ? TB_C(20.0) * structure[0] : TB_C(0.0)) + (t15 ? TB_C(20.0) *
-        structure[1] : TB_C(0.0));
-    const bool t17 = TB_C(0.0) < side[2];
-    const real_t t18 = t16 + (t17 ? structure[2] * TB_C(20.0) : TB_C(0.0));
-    const bool t19 = TB_C(0.0) < side[3];
-    const real_t t20 = t18 + (t19 ? TB_C(20.0) * structure[3] : TB_C(0.0));
-    const real_t t21 = (wrench[0] - t20) * t13;
-    const real_t t22 = t11 + t12;
-    const real_t t23 = t5 ? (t5 ? structure[1] * structure[5] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t24 = t3 ? (t3 ? structure[2] * structure[6] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t25 = (t1 ? structure[4] * t22 : TB_C(0.0)) + t23 + t24;
-    const real_t t26 = t8 ? (t8 ? structure[3] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t27 = TB_C(1.0) / (t10 * (t10 + TB_ABS(t11)));
-    const real_t t28 = (t25 + t26) * t27;
-    const real_t t29 = (t1 ? structure[4] : TB_C(0.0)) - t22 * t28;
-    const real_t t30 = structure[5] - structure[1] * t28;
-    const real_t t31 = structure[6] - structure[2] * t28;
-    const real_t t32 = (t5 ? (t5 ? t30 * t30 : TB_C(0.0)) : TB_C(0.0)) + (t3 ? (t3 ? t31 * t31
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t8 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t9 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t10 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t11 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t12 = TB_SQRT(t8 + t9 + t10 + t11);
+    const real_t t13 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t14 = TB_COPYSIGN(t12, t13);
+    const real_t t15 = t13 + t14;
+    const real_t t16 = t2 ? (t2 ? structure[1] * structure[5] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t17 = t4 ? (t4 ? structure[2] * structure[6] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t18 = (t0 ? t15 * structure[4] : TB_C(0.0)) + t16 + t17;
+    const real_t t19 = t6 ? (t6 ? structure[3] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t20 = TB_C(1.0) / (t12 * (t12 + TB_ABS(t13)));
+    const real_t t21 = (t18 + t19) * t20;
+    const real_t t22 = structure[5] - structure[1] * t21;
+    const real_t t23 = structure[6] - structure[2] * t21;
+    const real_t t24 = (t2 ? (t2 ? t22 * t22 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t23 * t23
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t33 = structure[7] - structure[3] * t28;
-    const real_t t34 = t32 + (t8 ? (t8 ? t33 * t33 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t35 = TB_SQRT(t34);
-    const real_t t36 = t5 ? t30 : TB_C(0.0);
-    const real_t t37 = TB_COPYSIGN(t35, t36);
-    const real_t t38 = TB_C(1.0) / t37;
-    const real_t t39 = (t14 ? TB_C(20.0) * structure[4] : TB_C(0.0)) + (t15 ? TB_C(20.0) *
-        structure[5] : TB_C(0.0));
-    const real_t t40 = t39 + (t17 ? TB_C(20.0) * structure[6] : TB_C(0.0));
-    const real_t t41 = t40 + (t19 ? TB_C(20.0) * structure[7] : TB_C(0.0));
-    const real_t t42 = (wrench[1] - t41 + t21 * t29) * t38;
-    const real_t t43 = t5 ? (t5 ? structure[1] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t44 = t3 ? (t3 ? structure[2] * structure[10] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t45 = (t1 ? t22 * structure[8] : TB_C(0.0)) + t43 + t44;
-    const real_t t46 = t8 ? (t8 ? structure[3] * structure[11] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t47 = t27 * (t45 + t46);
-    const real_t t48 = structure[9] - structure[1] * t47;
-    const real_t t49 = t36 + t37;
-    const real_t t50 = structure[10] - structure[2] * t47;
-    const real_t t51 = (t5 ? t48 * t49 : TB_C(0.0)) + (t3 ? (t3 ? t31 * t50 : TB_C(0.0)) :
+    const real_t t25 = structure[7] - structure[3] * t21;
+    const real_t t26 = t24 + (t6 ? (t6 ? t25 * t25 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t27 = TB_SQRT(t26);
+    const real_t t28 = t2 ? t22 : TB_C(0.0);
+    const real_t t29 = TB_COPYSIGN(t27, t28);
+    const real_t t30 = t2 ? (t2 ? structure[1] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t31 = t4 ? (t4 ? structure[2] * structure[10] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t32 = (t0 ? t15 * structure[8] : TB_C(0.0)) + t30 + t31;
+    const real_t t33 = t6 ? (t6 ? structure[3] * structure[11] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t34 = t20 * (t32 + t33);
+    const real_t t35 = structure[10] - structure[2] * t34;
+    const real_t t36 = t28 + t29;
+    const real_t t37 = structure[9] - structure[1] * t34;
+    const real_t t38 = (t2 ? t36 * t37 : TB_C(0.0)) + (t4 ? (t4 ? t23 * t35 : TB_C(0.0)) :
         TB_C(0.0));
-    const real_t t52 = structure[11] - structure[3] * t47;
-    const real_t t53 = t51 + (t8 ? (t8 ? t33 * t52 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t54 = t53 / (t35 * (t35 + TB_ABS(t36)));
-    const real_t t55 = (t5 ? t48 : TB_C(0.0)) - t49 * t54;
-    const real_t t56 = t50 - t31 * t54;
-    const real_t t57 = t52 - t33 * t54;
-    const real_t t58 = (t3 ? (t3 ? t56 * t56 : TB_C(0.0)) : TB_C(0.0)) + (t8 ? (t8 ? t57 * t57
+    const real_t t39 = structure[11] - structure[3] * t34;
+    const real_t t40 = t38 + (t6 ? (t6 ? t25 * t39 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t41 = t40 / (t27 * (t27 + TB_ABS(t28)));
+    const real_t t42 = t35 - t23 * t41;
+    const real_t t43 = t39 - t25 * t41;
+    const real_t t44 = (t4 ? (t4 ? t42 * t42 : TB_C(0.0)) : TB_C(0.0)) + (t6 ? (t6 ? t43 * t43
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t59 = TB_COPYSIGN(TB_SQRT(t58), t3 ? t56 : TB_C(0.0));
-    const real_t t60 = TB_C(1.0) / t59;
-    const real_t t61 = (t14 ? TB_C(20.0) * structure[8] : TB_C(0.0)) + (t15 ? TB_C(20.0) *
-        structure[9] : TB_C(0.0));
-    const real_t t62 = t61 + (t17 ? TB_C(20.0) * structure[10] : TB_C(0.0));
-    const real_t t63 = t62 + (t19 ? TB_C(20.0) * structure[11] : TB_C(0.0));
-    const real_t t64 = (t1 ? structure[8] : TB_C(0.0)) - t22 * t47;
-    const real_t t65 = t60 * ((wrench[2] - t63 + t21 * t64 + t42 * t55) * t60);
-    const real_t t66 = t38 * (t42 + t55 * t65);
-    const real_t t67 = t13 * (t21 + t29 * t66 + t64 * t65);
-    const real_t t68 = structure[2] * t67 + structure[6] * t66 + structure[10] * t65;
-    const real_t t69 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t68, t68 -
-        TB_C(20.0)) : -TB_C(1.0);
-    const real_t t70 = structure[3] * t67 + structure[7] * t66 + structure[11] * t65;
-    const real_t t71 = TB_C(0.0) < (t8 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t70, t70 -
-        TB_C(20.0)) : -TB_C(1.0);
-    const real_t t72 = structure[0] * t67 + structure[4] * t66 + structure[8] * t65;
-    const real_t t73 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t72, t72 -
-        TB_C(20.0)) : -TB_C(1.0);
-    const real_t t74 = structure[1] * t67 + structure[5] * t66 + structure[9] * t65;
-    const real_t t75 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t74, t74 -
-        TB_C(20.0)) : -TB_C(1.0);
-    real_t t76, t77, t78, t79;
-    if (t2) {
-        t76 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
-        t77 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t78 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t79 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t45 = TB_COPYSIGN(TB_SQRT(t44), t4 ? t42 : TB_C(0.0));
+    const real_t t46 = tb_min(tb_min(TB_ABS(t14), TB_ABS(t29)), TB_ABS(t45));
+    const real_t t47 = TB_C(1.0) / tb_min(TB_C(1.0), t46);
+    const real_t t48 = TB_C(64.0) * TB_EPSILON * t47;
+    const bool t49 = TB_C(0.0) <= moving[0];
+    const real_t t50 = TB_C(1.0) / t14;
+    const bool t51 = TB_C(0.0) < side[0];
+    const bool t52 = TB_C(0.0) < side[1];
+    const real_t t53 = (t51 ? structure[0] * TB_C(20.0) : TB_C(0.0)) + (t52 ? structure[1] *
+        TB_C(20.0) : TB_C(0.0));
+    const bool t54 = TB_C(0.0) < side[2];
+    const real_t t55 = t53 + (t54 ? structure[2] * TB_C(20.0) : TB_C(0.0));
+    const bool t56 = TB_C(0.0) < side[3];
+    const real_t t57 = t55 + (t56 ? structure[3] * TB_C(20.0) : TB_C(0.0));
+    const real_t t58 = (wrench[0] - t57) * t50;
+    const real_t t59 = (t0 ? structure[4] : TB_C(0.0)) - t15 * t21;
+    const real_t t60 = TB_C(1.0) / t29;
+    const real_t t61 = (t51 ? structure[4] * TB_C(20.0) : TB_C(0.0)) + (t52 ? structure[5] *
+        TB_C(20.0) : TB_C(0.0));
+    const real_t t62 = t61 + (t54 ? structure[6] * TB_C(20.0) : TB_C(0.0));
+    const real_t t63 = t62 + (t56 ? structure[7] * TB_C(20.0) : TB_C(0.0));
+    const real_t t64 = (wrench[1] - t63 + t58 * t59) * t60;
+    const real_t t65 = (t2 ? t37 : TB_C(0.0)) - t36 * t41;
+    const real_t t66 = TB_C(1.0) / t45;
+    const real_t t67 = (t51 ? structure[8] * TB_C(20.0) : TB_C(0.0)) + (t52 ? structure[9] *
+        TB_C(20.0) : TB_C(0.0));
+    const real_t t68 = t67 + (t54 ? structure[10] * TB_C(20.0) : TB_C(0.0));
+    const real_t t69 = t68 + (t56 ? structure[11] * TB_C(20.0) : TB_C(0.0));
+    const real_t t70 = (t0 ? structure[8] : TB_C(0.0)) - t15 * t34;
+    const real_t t71 = t66 * ((wrench[2] - t69 + t58 * t70 + t64 * t65) * t66);
+    const real_t t72 = t60 * (t64 + t65 * t71);
+    const real_t t73 = t50 * (t58 + t59 * t72 + t70 * t71);
+    const real_t t74 = structure[2] * t73 + structure[6] * t72 + structure[10] * t71;
+    const real_t t75 = TB_C(0.0) < t5 ? tb_max(-t74, t74 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t76 = structure[3] * t73 + structure[7] * t72 + structure[11] * t71;
+    const real_t t77 = TB_C(0.0) < t7 ? tb_max(-t76, t76 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t78 = structure[0] * t73 + structure[4] * t72 + structure[8] * t71;
+    const real_t t79 = TB_C(0.0) < t1 ? tb_max(-t78, t78 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t80 = structure[1] * t73 + structure[5] * t72 + structure[9] * t71;
+    const real_t t81 = TB_C(0.0) < t3 ? tb_max(-t80, t80 - TB_C(20.0)) : -TB_C(1.0);
+    real_t t82, t83, t84, t85;
+    if (t49) {
+        t82 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+        t83 = TB_C(3.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t84 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t85 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t76 = t69;
-        t77 = t71;
-        t78 = t73;
-        t79 = t75;
+        t82 = t75;
+        t83 = t77;
+        t84 = t79;
+        t85 = t81;
     }
-    const bool t80 = tb_max(t76, t77) <= tb_max(t78, t79);
-    real_t t81, t82, t83, t84, t85;
-    if (t80) {
-        const bool t86 = t79 <= t78;
-        t81 = t86 ? TB_C(0.0) : TB_C(1.0);
-        t82 = t86 ? structure[0] : structure[1];
-        t83 = t86 ? structure[4] : structure[5];
-        t84 = t86 ? structure[8] : structure[9];
-        t85 = t86 ? t72 : t74;
+    const bool t86 = tb_max(t82, t83) <= tb_max(t84, t85);
+    real_t t87, t88, t89, t90, t91;
+    if (t86) {
+        const bool t92 = t85 <= t84;
+        t87 = t92 ? TB_C(0.0) : TB_C(1.0);
+        t88 = t92 ? structure[0] : structure[1];
+        t89 = t92 ? structure[4] : structure[5];
+        t90 = t92 ? structure[8] : structure[9];
+        t91 = t92 ? t78 : t80;
     } else {
-        const bool t87 = t77 <= t76;
-        t81 = t87 ? TB_C(2.0) : TB_C(3.0);
-        t82 = t87 ? structure[2] : structure[3];
-        t83 = t87 ? structure[6] : structure[7];
-        t84 = t87 ? structure[10] : structure[11];
-        t85 = t87 ? t68 : t70;
+        const bool t93 = t83 <= t82;
+        t87 = t93 ? TB_C(2.0) : TB_C(3.0);
+        t88 = t93 ? structure[2] : structure[3];
+        t89 = t93 ? structure[6] : structure[7];
+        t90 = t93 ? structure[10] : structure[11];
+        t91 = t93 ? t74 : t76;
     }
-    const real_t t88 = t13 * t82;
-    const real_t t89 = t38 * (t83 + t29 * t88);
-    const real_t t90 = t60 * (t60 * (t84 + t64 * t88 + t55 * t89));
-    const real_t t91 = t38 * (t89 + t55 * t90);
-    const real_t t92 = t13 * (t88 + t29 * t91 + t64 * t90);
-    const real_t t93 = structure[0] * t92 + structure[4] * t91 + structure[8] * t90;
-    const real_t t94 = (TB_C(0.0) == t81 ? TB_C(1.0) : TB_C(0.0)) - t93;
-    const real_t t95 = structure[1] * t92 + structure[5] * t91 + structure[9] * t90;
-    const real_t t96 = (TB_C(1.0) == t81 ? TB_C(1.0) : TB_C(0.0)) - t95;
-    const real_t t97 = (t1 ? (t1 ? t94 * t94 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t96 * t96
-        : TB_C(0.0)) : TB_C(0.0));
-    const real_t t98 = structure[2] * t92 + structure[6] * t91 + structure[10] * t90;
-    const real_t t99 = (TB_C(2.0) == t81 ? TB_C(1.0) : TB_C(0.0)) - t98;
-    const real_t t100 = t97 + (t3 ? (t3 ? t99 * t99 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t101 = structure[3] * t92 + structure[7] * t91 + structure[11] * t90;
-    const real_t t102 = (TB_C(3.0) == t81 ? TB_C(1.0) : TB_C(0.0)) - t101;
-    const real_t t103 = t100 + (t8 ? (t8 ? t102 * t102 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t104 = t85 + t103 * push[0];
-    const bool t105 = t104 < TB_C(10.0);
-    real_t t106;
-    if (t0 * t0 < t103) {
-        const real_t t107 = tb_max(t105 ? -t104 : t104 - TB_C(20.0), TB_C(0.0));
-        t106 = t107 * (TB_C(1.0) / t103);
-    } else {
-        t106 = TB_C(1e+30);
-    }
-    const real_t t108 = t105 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t109 = side[0] * (t93 * t108);
-    real_t t110;
-    if (t0 < t109) {
-        const real_t t111 = t72 - t93 * push[0] - (t14 ? TB_C(20.0) : TB_C(0.0));
-        t110 = tb_max(side[0] * t111, TB_C(0.0)) / t109;
-    } else {
-        t110 = TB_C(1e+30);
-    }
-    const real_t t112 = side[1] * (t95 * t108);
+    const real_t t94 = t50 * t88;
+    const real_t t95 = t60 * (t89 + t59 * t94);
+    const real_t t96 = t66 * (t66 * (t90 + t70 * t94 + t65 * t95));
+    const real_t t97 = t60 * (t95 + t65 * t96);
+    const real_t t98 = t50 * (t94 + t59 * t97 + t70 * t96);
+    const real_t t99 = structure[0] * t98 + structure[4] * t97 + structure[8] * t96;
+    const real_t t100 = (TB_C(0.0) == t87 ? TB_C(1.0) : TB_C(0.0)) - t99;
+    const real_t t101 = structure[1] * t98 + structure[5] * t97 + structure[9] * t96;
+    const real_t t102 = (TB_C(1.0) == t87 ? TB_C(1.0) : TB_C(0.0)) - t101;
+    const real_t t103 = (t0 ? (t0 ? t100 * t100 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t102 *
+        t102 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t104 = structure[2] * t98 + structure[6] * t97 + structure[10] * t96;
+    const real_t t105 = (TB_C(2.0) == t87 ? TB_C(1.0) : TB_C(0.0)) - t104;
+    const real_t t106 = t103 + (t4 ? (t4 ? t105 * t105 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t107 = structure[3] * t98 + structure[7] * t97 + structure[11] * t96;
+    const real_t t108 = (TB_C(3.0) == t87 ? TB_C(1.0) : TB_C(0.0)) - t107;
+    const real_t t109 = t106 + (t6 ? (t6 ? t108 * t108 : TB_C(0.0)) : TB_C(0.0));
+    const bool t110 = TB_C(3.0) < t1 + t3 + t5 + t7 && t48 * t48 < t109;
+    const real_t t111 = t91 + t109 * push[0];
+    const bool t112 = t111 < TB_C(10.0);
     real_t t113;
-    if (t0 < t112) {
-        const real_t t114 = t74 - t95 * push[0] - (t15 ? TB_C(20.0) : TB_C(0.0));
-        t113 = tb_max(side[1] * t114, TB_C(0.0)) / t112;
+    if (t110) {
+        const real_t t114 = tb_max(t112 ? -t111 : t111 - TB_C(20.0), TB_C(0.0));
+        t113 = t114 * (TB_C(1.0) / t109);
     } else {
         t113 = TB_C(1e+30);
     }
-    const real_t t115 = side[2] * (t98 * t108);
-    real_t t116;
-    if (t0 < t115) {
-        const real_t t117 = t68 - t98 * push[0] - (t17 ? TB_C(20.0) : TB_C(0.0));
-        t116 = tb_max(side[2] * t117, TB_C(0.0)) / t115;
+    const real_t t115 = t112 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t116 = side[0] * (t99 * t115);
+    real_t t117;
+    if (t48 < t116) {
+        const real_t t118 = t78 - t99 * push[0] - (t51 ? TB_C(20.0) : TB_C(0.0));
+        t117 = tb_max(side[0] * t118, TB_C(0.0)) / t116;
     } else {
-        t116 = TB_C(1e+30);
+        t117 = TB_C(1e+30);
     }
-    const real_t t118 = side[3] * (t101 * t108);
-    real_t t119;
-    if (t0 < t118) {
-        const real_t t120 = t70 - t101 * push[0] - (t19 ? TB_C(20.0) : TB_C(0.0));
-        t119 = tb_max(side[3] * t120, TB_C(0.0)) / t118;
+    const real_t t119 = side[1] * (t101 * t115);
+    real_t t120;
+    if (t48 < t119) {
+        const real_t t121 = t80 - t101 * push[0] - (t52 ? TB_C(20.0) : TB_C(0.0));
+        t120 = tb_max(side[1] * t121, TB_C(0.0)) / t119;
     } else {
-        t119 = TB_C(1e+30);
+        t120 = TB_C(1e+30);
     }
-    const real_t t121 = tb_min(tb_min(tb_min(t110, t113), t116), t119);
-    const bool t122 = t106 <= t121;
-    const real_t t123 = tb_min(tb_min(TB_ABS(t12), TB_ABS(t37)), TB_ABS(t59));
-    const real_t t124 = TB_EPSILON * TB_C(160.0) / tb_min(TB_C(1.0), t123);
-    const bool t125 = tb_max(tb_max(tb_max(t73, t75), t69), t71) <= t124;
-    const bool t126 = (!t2 && t125) || !(tb_min(t106, t121) < TB_C(1e+30));
-    const real_t t127 = t122 && !t126 ? t81 : -TB_C(1.0);
-    const real_t t128 = -t108;
-    real_t t129;
-    if (t122 || t126) {
-        t129 = -TB_C(1.0);
+    const real_t t122 = side[2] * (t104 * t115);
+    real_t t123;
+    if (t48 < t122) {
+        const real_t t124 = t74 - t104 * push[0] - (t54 ? TB_C(20.0) : TB_C(0.0));
+        t123 = tb_max(side[2] * t124, TB_C(0.0)) / t122;
     } else {
-        const real_t t130 = -t116;
-        const real_t t131 = -t119;
-        const real_t t132 = -t110;
-        const real_t t133 = -t113;
-        const real_t t134 = tb_max(t130, t131) <= tb_max(t132, t133) ? (t133 <= t132 ?
-            TB_C(0.0) : TB_C(1.0)) : (t131 <= t130 ? TB_C(2.0) : TB_C(3.0));
-        t129 = t134;
+        t123 = TB_C(1e+30);
     }
-    const real_t side_0 = TB_C(0.0) == t127 ? t128 : (TB_C(0.0) == t129 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t127 ? t128 : (TB_C(1.0) == t129 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t127 ? t128 : (TB_C(2.0) == t129 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t127 ? t128 : (TB_C(3.0) == t129 ? TB_C(0.0) : side[3]);
-    const real_t moving_0 = t122 ? -TB_C(1.0) : t81;
-    const real_t push_0 = t122 ? TB_C(0.0) : push[0] + t108 * t121;
-    const real_t done_0 = t126 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t125 = side[3] * (t107 * t115);
+    real_t t126;
+    if (t48 < t125) {
+        const real_t t127 = t76 - t107 * push[0] - (t56 ? TB_C(20.0) : TB_C(0.0));
+        t126 = tb_max(side[3] * t127, TB_C(0.0)) / t125;
+    } else {
+        t126 = TB_C(1e+30);
+    }
+    const real_t t128 = tb_min(tb_min(tb_min(t117, t120), t123), t126);
+    const bool t129 = t113 <= t128;
+    const bool t130 = tb_max(tb_max(tb_max(t79, t81), t75), t77) <= t47 * (TB_EPSILON *
+        TB_C(160.0));
+    const bool t131 = (!t49 && t130) || !(tb_min(t113, t128) < TB_C(1e+30));
+    const real_t t132 = t129 && !t131 ? t87 : -TB_C(1.0);
+    const real_t t133 = -t115;
+    real_t t134;
+    if (t129 || t131) {
+        t134 = -TB_C(1.0);
+    } else {
+        const real_t t135 = -t123;
+        const real_t t136 = -t126;
+        const real_t t137 = -t117;
+        const real_t t138 = -t120;
+        const real_t t139 = tb_max(t135, t136) <= tb_max(t137, t138) ? (t138 <= t137 ?
+            TB_C(0.0) : TB_C(1.0)) : (t136 <= t135 ? TB_C(2.0) : TB_C(3.0));
+        t134 = t139;
+    }
+    const real_t side_0 = TB_C(0.0) == t132 ? t133 : (TB_C(0.0) == t134 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t132 ? t133 : (TB_C(1.0) == t134 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t132 ? t133 : (TB_C(2.0) == t134 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t132 ? t133 : (TB_C(3.0) == t134 ? TB_C(0.0) : side[3]);
+    const real_t moving_0 = t129 ? -TB_C(1.0) : t87;
+    const real_t push_0 = t129 ? TB_C(0.0) : push[0] + t115 * t128;
+    const real_t done_0 = t131 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;
@@ -542,209 +544,211 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[12], c
 static tb_status tb_distribute_tension_paper_step(const real_t structure[12], const real_t wrench[3],
     real_t side[4], real_t moving[1], real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[2];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t7 = t3 ? (t3 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const bool t8 = TB_C(0.0) == side[3];
-    const real_t t9 = t8 ? (t8 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t10 = TB_SQRT(t4 + t6 + t7 + t9);
-    const real_t t11 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t12 = TB_COPYSIGN(t10, t11);
-    const real_t t13 = TB_C(1.0) / t12;
-    const bool t14 = TB_C(0.0) < side[0];
-    const real_t t15 = t14 ? TB_C(1000000000000.0) * structure[0] : TB_C(0.0);
-    const bool t16 = TB_C(0.0) < side[1];
-    const real_t t17 = t16 ? TB_C(1000000000000.0) * structure[1] : TB_C(0.0);
-    const bool t18 = TB_C(0.0) < side[2];
-    const real_t t19 = t18 ? structure[2] * TB_C(1000000000000.0) : TB_C(0.0);
-    const bool t20 = TB_C(0.0) < side[3];
-    const real_t t21 = t20 ? TB_C(1000000000000.0) * structure[3] : TB_C(0.0);
-    const real_t t22 = (wrench[0] - (t15 + t17 + t19 + t21)) * t13;
-    const real_t t23 = t11 + t12;
-    const real_t t24 = t5 ? (t5 ? structure[1] * structure[5] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t25 = t3 ? (t3 ? structure[2] * structure[6] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t26 = (t1 ? structure[4] * t23 : TB_C(0.0)) + t24 + t25;
-    const real_t t27 = t8 ? (t8 ? structure[3] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t28 = TB_C(1.0) / (t10 * (t10 + TB_ABS(t11)));
-    const real_t t29 = (t26 + t27) * t28;
-    const real_t t30 = (t1 ? structure[4] : TB_C(0.0)) - t23 * t29;
-    const real_t t31 = structure[5] - structure[1] * t29;
-    const real_t t32 = structure[6] - structure[2] * t29;
-    const real_t t33 = (t5 ? (t5 ? t31 * t31 : TB_C(0.0)) : TB_C(0.0)) + (t3 ? (t3 ? t32 * t32
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t8 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t9 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t10 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t11 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t12 = TB_SQRT(t8 + t9 + t10 + t11);
+    const real_t t13 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t14 = TB_COPYSIGN(t12, t13);
+    const real_t t15 = t13 + t14;
+    const real_t t16 = t2 ? (t2 ? structure[1] * structure[5] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t17 = t4 ? (t4 ? structure[2] * structure[6] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t18 = (t0 ? t15 * structure[4] : TB_C(0.0)) + t16 + t17;
+    const real_t t19 = t6 ? (t6 ? structure[3] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t20 = TB_C(1.0) / (t12 * (t12 + TB_ABS(t13)));
+    const real_t t21 = (t18 + t19) * t20;
+    const real_t t22 = structure[5] - structure[1] * t21;
+    const real_t t23 = structure[6] - structure[2] * t21;
+    const real_t t24 = (t2 ? (t2 ? t22 * t22 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t23 * t23
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t34 = structure[7] - structure[3] * t29;
-    const real_t t35 = t33 + (t8 ? (t8 ? t34 * t34 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t36 = TB_SQRT(t35);
-    const real_t t37 = t5 ? t31 : TB_C(0.0);
-    const real_t t38 = TB_COPYSIGN(t36, t37);
-    const real_t t39 = TB_C(1.0) / t38;
-    const real_t t40 = t14 ? TB_C(1000000000000.0) * structure[4] : TB_C(0.0);
-    const real_t t41 = t16 ? TB_C(1000000000000.0) * structure[5] : TB_C(0.0);
-    const real_t t42 = t18 ? TB_C(1000000000000.0) * structure[6] : TB_C(0.0);
-    const real_t t43 = t20 ? TB_C(1000000000000.0) * structure[7] : TB_C(0.0);
-    const real_t t44 = (wrench[1] - (t40 + t41 + t42 + t43) + t22 * t30) * t39;
-    const real_t t45 = t5 ? (t5 ? structure[1] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t46 = t3 ? (t3 ? structure[2] * structure[10] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t47 = (t1 ? t23 * structure[8] : TB_C(0.0)) + t45 + t46;
-    const real_t t48 = t8 ? (t8 ? structure[3] * structure[11] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t49 = t28 * (t47 + t48);
-    const real_t t50 = structure[9] - structure[1] * t49;
-    const real_t t51 = t37 + t38;
-    const real_t t52 = structure[10] - structure[2] * t49;
-    const real_t t53 = (t5 ? t50 * t51 : TB_C(0.0)) + (t3 ? (t3 ? t32 * t52 : TB_C(0.0)) :
+    const real_t t25 = structure[7] - structure[3] * t21;
+    const real_t t26 = t24 + (t6 ? (t6 ? t25 * t25 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t27 = TB_SQRT(t26);
+    const real_t t28 = t2 ? t22 : TB_C(0.0);
+    const real_t t29 = TB_COPYSIGN(t27, t28);
+    const real_t t30 = t2 ? (t2 ? structure[1] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t31 = t4 ? (t4 ? structure[2] * structure[10] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t32 = (t0 ? t15 * structure[8] : TB_C(0.0)) + t30 + t31;
+    const real_t t33 = t6 ? (t6 ? structure[3] * structure[11] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t34 = t20 * (t32 + t33);
+    const real_t t35 = structure[10] - structure[2] * t34;
+    const real_t t36 = t28 + t29;
+    const real_t t37 = structure[9] - structure[1] * t34;
+    const real_t t38 = (t2 ? t36 * t37 : TB_C(0.0)) + (t4 ? (t4 ? t23 * t35 : TB_C(0.0)) :
         TB_C(0.0));
-    const real_t t54 = structure[11] - structure[3] * t49;
-    const real_t t55 = t53 + (t8 ? (t8 ? t34 * t54 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t56 = t55 / (t36 * (t36 + TB_ABS(t37)));
-    const real_t t57 = (t5 ? t50 : TB_C(0.0)) - t51 * t56;
-    const real_t t58 = t52 - t32 * t56;
-    const real_t t59 = t54 - t34 * t56;
-    const real_t t60 = (t3 ? (t3 ? t58 * t58 : TB_C(0.0)) : TB_C(0.0)) + (t8 ? (t8 ? t59 * t59
+    const real_t t39 = structure[11] - structure[3] * t34;
+    const real_t t40 = t38 + (t6 ? (t6 ? t25 * t39 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t41 = t40 / (t27 * (t27 + TB_ABS(t28)));
+    const real_t t42 = t35 - t23 * t41;
+    const real_t t43 = t39 - t25 * t41;
+    const real_t t44 = (t4 ? (t4 ? t42 * t42 : TB_C(0.0)) : TB_C(0.0)) + (t6 ? (t6 ? t43 * t43
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t61 = TB_COPYSIGN(TB_SQRT(t60), t3 ? t58 : TB_C(0.0));
-    const real_t t62 = TB_C(1.0) / t61;
-    const real_t t63 = t14 ? TB_C(1000000000000.0) * structure[8] : TB_C(0.0);
-    const real_t t64 = t16 ? TB_C(1000000000000.0) * structure[9] : TB_C(0.0);
-    const real_t t65 = t18 ? TB_C(1000000000000.0) * structure[10] : TB_C(0.0);
-    const real_t t66 = t20 ? TB_C(1000000000000.0) * structure[11] : TB_C(0.0);
-    const real_t t67 = (t1 ? structure[8] : TB_C(0.0)) - t23 * t49;
-    const real_t t68 = wrench[2] - (t63 + t64 + t65 + t66) + t22 * t67 + t44 * t57;
-    const real_t t69 = t62 * (t68 * t62);
-    const real_t t70 = t39 * (t44 + t57 * t69);
-    const real_t t71 = t13 * (t22 + t30 * t70 + t67 * t69);
-    const real_t t72 = structure[2] * t71 + structure[6] * t70 + structure[10] * t69;
-    const real_t t73 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t72, t72 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t74 = structure[3] * t71 + structure[7] * t70 + structure[11] * t69;
-    const real_t t75 = TB_C(0.0) < (t8 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t74, t74 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t76 = structure[0] * t71 + structure[4] * t70 + structure[8] * t69;
-    const real_t t77 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t76, t76 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    const real_t t78 = structure[1] * t71 + structure[5] * t70 + structure[9] * t69;
-    const real_t t79 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? tb_max(-t78, t78 -
-        TB_C(1000000000000.0)) : -TB_C(1.0);
-    real_t t80, t81, t82, t83;
-    if (t2) {
-        t80 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
-        t81 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t82 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t83 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t45 = TB_COPYSIGN(TB_SQRT(t44), t4 ? t42 : TB_C(0.0));
+    const real_t t46 = tb_min(tb_min(TB_ABS(t14), TB_ABS(t29)), TB_ABS(t45));
+    const real_t t47 = TB_C(1.0) / tb_min(TB_C(1.0), t46);
+    const real_t t48 = TB_C(64.0) * TB_EPSILON * t47;
+    const bool t49 = TB_C(0.0) <= moving[0];
+    const real_t t50 = TB_C(1.0) / t14;
+    const bool t51 = TB_C(0.0) < side[0];
+    const real_t t52 = t51 ? structure[0] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t53 = TB_C(0.0) < side[1];
+    const real_t t54 = t53 ? structure[1] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t55 = TB_C(0.0) < side[2];
+    const real_t t56 = t55 ? structure[2] * TB_C(1000000000000.0) : TB_C(0.0);
+    const bool t57 = TB_C(0.0) < side[3];
+    const real_t t58 = t57 ? structure[3] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t59 = (wrench[0] - (t52 + t54 + t56 + t58)) * t50;
+    const real_t t60 = (t0 ? structure[4] : TB_C(0.0)) - t15 * t21;
+    const real_t t61 = TB_C(1.0) / t29;
+    const real_t t62 = t51 ? structure[4] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t63 = t53 ? structure[5] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t64 = t55 ? structure[6] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t65 = t57 ? structure[7] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t66 = (wrench[1] - (t62 + t63 + t64 + t65) + t59 * t60) * t61;
+    const real_t t67 = (t2 ? t37 : TB_C(0.0)) - t36 * t41;
+    const real_t t68 = TB_C(1.0) / t45;
+    const real_t t69 = t51 ? structure[8] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t70 = t53 ? structure[9] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t71 = t55 ? structure[10] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t72 = t57 ? structure[11] * TB_C(1000000000000.0) : TB_C(0.0);
+    const real_t t73 = (t0 ? structure[8] : TB_C(0.0)) - t15 * t34;
+    const real_t t74 = wrench[2] - (t69 + t70 + t71 + t72) + t59 * t73 + t66 * t67;
+    const real_t t75 = t68 * (t74 * t68);
+    const real_t t76 = t61 * (t66 + t67 * t75);
+    const real_t t77 = t50 * (t59 + t60 * t76 + t73 * t75);
+    const real_t t78 = structure[2] * t77 + structure[6] * t76 + structure[10] * t75;
+    const real_t t79 = TB_C(0.0) < t5 ? tb_max(-t78, t78 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t80 = structure[3] * t77 + structure[7] * t76 + structure[11] * t75;
+    const real_t t81 = TB_C(0.0) < t7 ? tb_max(-t80, t80 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t82 = structure[0] * t77 + structure[4] * t76 + structure[8] * t75;
+    const real_t t83 = TB_C(0.0) < t1 ? tb_max(-t82, t82 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    const real_t t84 = structure[1] * t77 + structure[5] * t76 + structure[9] * t75;
+    const real_t t85 = TB_C(0.0) < t3 ? tb_max(-t84, t84 - TB_C(1000000000000.0)) : -TB_C(1.0);
+    real_t t86, t87, t88, t89;
+    if (t49) {
+        t86 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+        t87 = TB_C(3.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t88 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t89 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t80 = t73;
-        t81 = t75;
-        t82 = t77;
-        t83 = t79;
+        t86 = t79;
+        t87 = t81;
+        t88 = t83;
+        t89 = t85;
     }
-    const bool t84 = tb_max(t80, t81) <= tb_max(t82, t83);
-    real_t t85, t86, t87, t88, t89;
-    if (t84) {
-        const bool t90 = t83 <= t82;
-        t85 = t90 ? TB_C(0.0) : TB_C(1.0);
-        t86 = t90 ? structure[0] : structure[1];
-        t87 = t90 ? structure[4] : structure[5];
-        t88 = t90 ? structure[8] : structure[9];
-        t89 = t90 ? t76 : t78;
+    const bool t90 = tb_max(t86, t87) <= tb_max(t88, t89);
+    real_t t91, t92, t93, t94, t95;
+    if (t90) {
+        const bool t96 = t89 <= t88;
+        t91 = t96 ? TB_C(0.0) : TB_C(1.0);
+        t92 = t96 ? structure[0] : structure[1];
+        t93 = t96 ? structure[4] : structure[5];
+        t94 = t96 ? structure[8] : structure[9];
+        t95 = t96 ? t82 : t84;
     } else {
-        const bool t91 = t81 <= t80;
-        t85 = t91 ? TB_C(2.0) : TB_C(3.0);
-        t86 = t91 ? structure[2] : structure[3];
-        t87 = t91 ? structure[6] : structure[7];
-        t88 = t91 ? structure[10] : structure[11];
-        t89 = t91 ? t72 : t74;
+        const bool t97 = t87 <= t86;
+        t91 = t97 ? TB_C(2.0) : TB_C(3.0);
+        t92 = t97 ? structure[2] : structure[3];
+        t93 = t97 ? structure[6] : structure[7];
+        t94 = t97 ? structure[10] : structure[11];
+        t95 = t97 ? t78 : t80;
     }
-    const real_t t92 = t13 * t86;
-    const real_t t93 = t39 * (t87 + t30 * t92);
-    const real_t t94 = t62 * (t62 * (t88 + t67 * t92 + t57 * t93));
-    const real_t t95 = t39 * (t93 + t57 * t94);
-    const real_t t96 = t13 * (t92 + t30 * t95 + t67 * t94);
-    const real_t t97 = structure[0] * t96 + structure[4] * t95 + structure[8] * t94;
-    const real_t t98 = (TB_C(0.0) == t85 ? TB_C(1.0) : TB_C(0.0)) - t97;
-    const real_t t99 = structure[1] * t96 + structure[5] * t95 + structure[9] * t94;
-    const real_t t100 = (TB_C(1.0) == t85 ? TB_C(1.0) : TB_C(0.0)) - t99;
-    const real_t t101 = (t1 ? (t1 ? t98 * t98 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t100 *
-        t100 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t102 = structure[2] * t96 + structure[6] * t95 + structure[10] * t94;
-    const real_t t103 = (TB_C(2.0) == t85 ? TB_C(1.0) : TB_C(0.0)) - t102;
-    const real_t t104 = t101 + (t3 ? (t3 ? t103 * t103 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t105 = structure[3] * t96 + structure[7] * t95 + structure[11] * t94;
-    const real_t t106 = (TB_C(3.0) == t85 ? TB_C(1.0) : TB_C(0.0)) - t105;
-    const real_t t107 = t104 + (t8 ? (t8 ? t106 * t106 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t108 = t89 + t107 * push[0];
-    const bool t109 = t108 < TB_C(500000000000.0);
-    real_t t110;
-    if (t0 * t0 < t107) {
-        const real_t t111 = tb_max(t109 ? -t108 : t108 - TB_C(1000000000000.0), TB_C(0.0));
-        t110 = t111 * (TB_C(1.0) / t107);
-    } else {
-        t110 = TB_C(1e+30);
-    }
-    const real_t t112 = t109 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t113 = side[0] * (t97 * t112);
-    real_t t114;
-    if (t0 < t113) {
-        const real_t t115 = t76 - t97 * push[0] - (t14 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t114 = tb_max(side[0] * t115, TB_C(0.0)) / t113;
-    } else {
-        t114 = TB_C(1e+30);
-    }
-    const real_t t116 = side[1] * (t99 * t112);
+    const real_t t98 = t50 * t92;
+    const real_t t99 = t61 * (t93 + t60 * t98);
+    const real_t t100 = t68 * (t68 * (t94 + t73 * t98 + t67 * t99));
+    const real_t t101 = t61 * (t99 + t67 * t100);
+    const real_t t102 = t50 * (t98 + t60 * t101 + t73 * t100);
+    const real_t t103 = structure[0] * t102 + structure[4] * t101 + structure[8] * t100;
+    const real_t t104 = (TB_C(0.0) == t91 ? TB_C(1.0) : TB_C(0.0)) - t103;
+    const real_t t105 = structure[1] * t102 + structure[5] * t101 + structure[9] * t100;
+    const real_t t106 = (TB_C(1.0) == t91 ? TB_C(1.0) : TB_C(0.0)) - t105;
+    const real_t t107 = (t0 ? (t0 ? t104 * t104 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t106 *
+        t106 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t108 = structure[2] * t102 + structure[6] * t101 + structure[10] * t100;
+    const real_t t109 = (TB_C(2.0) == t91 ? TB_C(1.0) : TB_C(0.0)) - t108;
+    const real_t t110 = t107 + (t4 ? (t4 ? t109 * t109 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t111 = structure[3] * t102 + structure[7] * t101 + structure[11] * t100;
+    const real_t t112 = (TB_C(3.0) == t91 ? TB_C(1.0) : TB_C(0.0)) - t111;
+    const real_t t113 = t110 + (t6 ? (t6 ? t112 * t112 : TB_C(0.0)) : TB_C(0.0));
+    const bool t114 = TB_C(3.0) < t1 + t3 + t5 + t7 && t48 * t48 < t113;
+    const real_t t115 = t95 + t113 * push[0];
+    const bool t116 = t115 < TB_C(500000000000.0);
     real_t t117;
-    if (t0 < t116) {
-        const real_t t118 = t78 - t99 * push[0] - (t16 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t117 = tb_max(side[1] * t118, TB_C(0.0)) / t116;
+    if (t114) {
+        const real_t t118 = tb_max(t116 ? -t115 : t115 - TB_C(1000000000000.0), TB_C(0.0));
+        t117 = t118 * (TB_C(1.0) / t113);
     } else {
         t117 = TB_C(1e+30);
     }
-    const real_t t119 = side[2] * (t102 * t112);
-    real_t t120;
-    if (t0 < t119) {
-        const real_t t121 = t72 - t102 * push[0] - (t18 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t120 = tb_max(side[2] * t121, TB_C(0.0)) / t119;
+    const real_t t119 = t116 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t120 = side[0] * (t103 * t119);
+    real_t t121;
+    if (t48 < t120) {
+        const real_t t122 = t82 - t103 * push[0] - (t51 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t121 = tb_max(side[0] * t122, TB_C(0.0)) / t120;
     } else {
-        t120 = TB_C(1e+30);
+        t121 = TB_C(1e+30);
     }
-    const real_t t122 = side[3] * (t105 * t112);
-    real_t t123;
-    if (t0 < t122) {
-        const real_t t124 = t74 - t105 * push[0] - (t20 ? TB_C(1000000000000.0) : TB_C(0.0));
-        t123 = tb_max(side[3] * t124, TB_C(0.0)) / t122;
+    const real_t t123 = side[1] * (t105 * t119);
+    real_t t124;
+    if (t48 < t123) {
+        const real_t t125 = t84 - t105 * push[0] - (t53 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t124 = tb_max(side[1] * t125, TB_C(0.0)) / t123;
     } else {
-        t123 = TB_C(1e+30);
+        t124 = TB_C(1e+30);
     }
-    const real_t t125 = tb_min(tb_min(tb_min(t114, t117), t120), t123);
-    const bool t126 = t110 <= t125;
-    const real_t t127 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
-    const real_t t128 = tb_min(tb_min(TB_ABS(t12), TB_ABS(t38)), TB_ABS(t61));
-    const real_t t129 = TB_EPSILON * TB_C(8.0) * t127 / tb_min(TB_C(1.0), t128);
-    const bool t130 = tb_max(tb_max(tb_max(t77, t79), t73), t75) <= t129;
-    const bool t131 = (!t2 && t130) || !(tb_min(t110, t125) < TB_C(1e+30));
-    const real_t t132 = t126 && !t131 ? t85 : -TB_C(1.0);
-    const real_t t133 = -t112;
-    real_t t134;
-    if (t126 || t131) {
-        t134 = -TB_C(1.0);
+    const real_t t126 = side[2] * (t108 * t119);
+    real_t t127;
+    if (t48 < t126) {
+        const real_t t128 = t78 - t108 * push[0] - (t55 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t127 = tb_max(side[2] * t128, TB_C(0.0)) / t126;
     } else {
-        const real_t t135 = -t120;
-        const real_t t136 = -t123;
-        const real_t t137 = -t114;
-        const real_t t138 = -t117;
-        const real_t t139 = tb_max(t135, t136) <= tb_max(t137, t138) ? (t138 <= t137 ?
-            TB_C(0.0) : TB_C(1.0)) : (t136 <= t135 ? TB_C(2.0) : TB_C(3.0));
-        t134 = t139;
+        t127 = TB_C(1e+30);
     }
-    const real_t side_0 = TB_C(0.0) == t132 ? t133 : (TB_C(0.0) == t134 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t132 ? t133 : (TB_C(1.0) == t134 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t132 ? t133 : (TB_C(2.0) == t134 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t132 ? t133 : (TB_C(3.0) == t134 ? TB_C(0.0) : side[3]);
-    const real_t moving_0 = t126 ? -TB_C(1.0) : t85;
-    const real_t push_0 = t126 ? TB_C(0.0) : push[0] + t112 * t125;
-    const real_t done_0 = t131 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t129 = side[3] * (t111 * t119);
+    real_t t130;
+    if (t48 < t129) {
+        const real_t t131 = t80 - t111 * push[0] - (t57 ? TB_C(1000000000000.0) : TB_C(0.0));
+        t130 = tb_max(side[3] * t131, TB_C(0.0)) / t129;
+    } else {
+        t130 = TB_C(1e+30);
+    }
+    const real_t t132 = tb_min(tb_min(tb_min(t121, t124), t127), t130);
+    const bool t133 = t117 <= t132;
+    const real_t t134 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
+    const bool t135 = tb_max(tb_max(tb_max(t83, t85), t79), t81) <= t47 * (TB_EPSILON *
+        TB_C(8.0) * t134);
+    const bool t136 = (!t49 && t135) || !(tb_min(t117, t132) < TB_C(1e+30));
+    const real_t t137 = t133 && !t136 ? t91 : -TB_C(1.0);
+    const real_t t138 = -t119;
+    real_t t139;
+    if (t133 || t136) {
+        t139 = -TB_C(1.0);
+    } else {
+        const real_t t140 = -t127;
+        const real_t t141 = -t130;
+        const real_t t142 = -t121;
+        const real_t t143 = -t124;
+        const real_t t144 = tb_max(t140, t141) <= tb_max(t142, t143) ? (t143 <= t142 ?
+            TB_C(0.0) : TB_C(1.0)) : (t141 <= t140 ? TB_C(2.0) : TB_C(3.0));
+        t139 = t144;
+    }
+    const real_t side_0 = TB_C(0.0) == t137 ? t138 : (TB_C(0.0) == t139 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t137 ? t138 : (TB_C(1.0) == t139 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t137 ? t138 : (TB_C(2.0) == t139 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t137 ? t138 : (TB_C(3.0) == t139 ? TB_C(0.0) : side[3]);
+    const real_t moving_0 = t133 ? -TB_C(1.0) : t91;
+    const real_t push_0 = t133 ? TB_C(0.0) : push[0] + t119 * t132;
+    const real_t done_0 = t136 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;

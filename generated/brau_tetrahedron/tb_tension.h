@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine a609f00b6706a158, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine dd2fab897bffbf7a, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -17,11 +17,11 @@
  *  TB_INACCURATE: not done after 20 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 3.0e-13 N; float at most 3.7e-04 N.
- *  Error of delivered: double at most 7.4e-14 N; float at most 3.1e-05 N.
- *  Error of kkt_residual: double at most 7.4e-14 N; float at most 3.1e-05 N.
+ *  Error of tension: double at most 2.9e-13 N; float at most 4.5e-04 N.
+ *  Error of delivered: double at most 5.7e-14 N; float at most 1.1e-04 N.
+ *  Error of kkt_residual: double at most 5.7e-14 N; float at most 1.1e-04 N.
  *  At most 20 steps.
- *  Cost, all branches and steps: 2147 add, 2580 mul, 229 div, 66 sqrt, 892 compare, 3061
+ *  Cost, all branches and steps: 2207 add, 2620 mul, 229 div, 66 sqrt, 912 compare, 3061
  *    select. */
 tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[3], real_t
     tension[4], real_t delivered[3], real_t kkt_residual[1]);
@@ -36,11 +36,11 @@ tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[
  *  TB_INACCURATE: not done after 20 steps.
  *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
- *  Error of tension: double at most 3.5e-12 N; float at most 8.0e-04 N.
- *  Error of delivered: double at most 2.8e-12 N; float at most 6.4e-04 N.
- *  Error of kkt_residual: double at most 1.1e-09 N; float at most 7.5e-02 N.
+ *  Error of tension: double at most 3.1e-13 N; float at most 4.3e-04 N.
+ *  Error of delivered: double at most 2.6e-13 N; float at most 3.1e-04 N.
+ *  Error of kkt_residual: double at most 1.9e-08 N; float at most 5.9e-02 N.
  *  At most 20 steps.
- *  Cost, all branches and steps: 2198 add, 2614 mul, 229 div, 66 sqrt, 896 compare, 3075
+ *  Cost, all branches and steps: 2258 add, 2654 mul, 229 div, 66 sqrt, 916 compare, 3075
  *    select. */
 tb_status tb_distribute_tension_paper(const real_t structure[12], const real_t wrench[3],
     real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);
@@ -92,12 +92,12 @@ tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench
  *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 5.0e-11 N; float at most 1.0e-01 N.
- *  Error of delivered: double at most 7.5e-14 N; float at most 4.6e-05 N.
- *  Error of kkt_residual: double at most 2.8e-14 N; float at most 4.3e-05 N.
+ *  Error of tension: double at most 2.3e-10 N; float at most 2.4e-01 N.
+ *  Error of delivered: double at most 7.4e-14 N; float at most 1.4e-04 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.3e-04 N.
  *  At most 220 steps.
  *  Visits 6 subsets of the cables.
- *  Cost, all branches and steps: 38944 add, 37075 mul, 2627 div, 1008 sqrt, 9165 compare, 48041
+ *  Cost, all branches and steps: 39124 add, 37195 mul, 2627 div, 1008 sqrt, 9225 compare, 48041
  *    select. */
 tb_status tb_distribute_tension_scale(const real_t structure[12], const real_t wrench[3],
     real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);
@@ -119,7 +119,7 @@ tb_status tb_distribute_tension_scale(const real_t structure[12], const real_t w
  *  Error of delivered: double at most 8.4e-14 N; float at most 3.5e-05 N.
  *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.5e-05 N.
  *  At most 220 steps.
- *  Cost, all branches and steps: 38687 add, 36771 mul, 2607 div, 999 sqrt, 9086 compare, 47930
+ *  Cost, all branches and steps: 38867 add, 36891 mul, 2607 div, 999 sqrt, 9146 compare, 47930
  *    select. */
 tb_status tb_distribute_tension_closest(const real_t structure[12], const real_t wrench[3],
     real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 3239a1a106ee2b0f, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 9ee40013c06abf0c, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_triangle"
-#define TB_MACHINE_HASH "3239a1a106ee2b0f"
+#define TB_MACHINE_HASH "9ee40013c06abf0c"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 3

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 48fe715b520796ec, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 0bad61dc7eb3715e, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #include "tb_comparison.h"
 
 /* All cables are free. */
@@ -98,318 +98,326 @@ static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_
 static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t wrench[3], real_t
     side[6], real_t moving[1], real_t push[1], real_t done[1])
 {
-    const real_t t0 = TB_C(256.0) * TB_EPSILON;
-    const bool t1 = side[0] == TB_C(0.0);
-    const bool t2 = TB_C(0.0) <= moving[0];
-    const bool t3 = TB_C(0.0) == side[3];
-    const real_t t4 = t1 ? (t1 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
-    const bool t5 = TB_C(0.0) == side[1];
-    const real_t t6 = t5 ? (t5 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
-    const bool t7 = TB_C(0.0) == side[2];
-    const real_t t8 = t7 ? (t7 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t9 = t3 ? (t3 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
-    const bool t10 = TB_C(0.0) == side[4];
-    const real_t t11 = t10 ? (t10 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
-    const bool t12 = TB_C(0.0) == side[5];
-    const real_t t13 = t12 ? (t12 ? structure[5] * structure[5] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t14 = TB_SQRT(t4 + t6 + t8 + t9 + t11 + t13);
-    const real_t t15 = t1 ? structure[0] : TB_C(0.0);
-    const real_t t16 = TB_COPYSIGN(t14, t15);
-    const real_t t17 = TB_C(1.0) / t16;
-    const real_t t18 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
-    const real_t t19 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
-    const real_t t20 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
-    const real_t t21 = structure[0] * t18 + structure[1] * t19 + structure[2] * t20;
-    const real_t t22 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
-    const real_t t23 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
-    const real_t t24 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
-    const real_t t25 = t21 + structure[3] * t22 + structure[4] * t23 + structure[5] * t24;
-    const real_t t26 = (wrench[0] - t25) * t17;
-    const real_t t27 = t15 + t16;
-    const real_t t28 = t5 ? (t5 ? structure[1] * structure[7] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t29 = t7 ? (t7 ? structure[2] * structure[8] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t30 = (t1 ? structure[6] * t27 : TB_C(0.0)) + t28 + t29;
-    const real_t t31 = t3 ? (t3 ? structure[3] * structure[9] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t32 = t10 ? (t10 ? structure[4] * structure[10] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t33 = t12 ? (t12 ? structure[5] * structure[11] : TB_C(0.0)) : TB_C(0.0);
-    const real_t t34 = TB_C(1.0) / (t14 * (t14 + TB_ABS(t15)));
-    const real_t t35 = (t30 + t31 + t32 + t33) * t34;
-    const real_t t36 = (t1 ? structure[6] : TB_C(0.0)) - t27 * t35;
-    const real_t t37 = structure[7] - structure[1] * t35;
-    const real_t t38 = structure[8] - structure[2] * t35;
-    const real_t t39 = (t5 ? (t5 ? t37 * t37 : TB_C(0.0)) : TB_C(0.0)) + (t7 ? (t7 ? t38 * t38
+    const bool t0 = side[0] == TB_C(0.0);
+    const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
+    const bool t2 = TB_C(0.0) == side[1];
+    const real_t t3 = t2 ? TB_C(1.0) : TB_C(0.0);
+    const bool t4 = TB_C(0.0) == side[2];
+    const real_t t5 = t4 ? TB_C(1.0) : TB_C(0.0);
+    const bool t6 = TB_C(0.0) == side[3];
+    const real_t t7 = t6 ? TB_C(1.0) : TB_C(0.0);
+    const bool t8 = TB_C(0.0) == side[4];
+    const real_t t9 = t8 ? TB_C(1.0) : TB_C(0.0);
+    const bool t10 = TB_C(0.0) == side[5];
+    const real_t t11 = t10 ? TB_C(1.0) : TB_C(0.0);
+    const real_t t12 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t13 = t2 ? (t2 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t14 = t4 ? (t4 ? structure[2] * structure[2] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t15 = t6 ? (t6 ? structure[3] * structure[3] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t16 = t8 ? (t8 ? structure[4] * structure[4] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t17 = t10 ? (t10 ? structure[5] * structure[5] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t18 = TB_SQRT(t12 + t13 + t14 + t15 + t16 + t17);
+    const real_t t19 = t0 ? structure[0] : TB_C(0.0);
+    const real_t t20 = TB_COPYSIGN(t18, t19);
+    const real_t t21 = t19 + t20;
+    const real_t t22 = t2 ? (t2 ? structure[1] * structure[7] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t23 = t4 ? (t4 ? structure[2] * structure[8] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t24 = (t0 ? t21 * structure[6] : TB_C(0.0)) + t22 + t23;
+    const real_t t25 = t6 ? (t6 ? structure[3] * structure[9] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t26 = t8 ? (t8 ? structure[4] * structure[10] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t27 = t10 ? (t10 ? structure[5] * structure[11] : TB_C(0.0)) : TB_C(0.0);
+    const real_t t28 = TB_C(1.0) / (t18 * (t18 + TB_ABS(t19)));
+    const real_t t29 = (t24 + t25 + t26 + t27) * t28;
+    const real_t t30 = structure[7] - structure[1] * t29;
+    const real_t t31 = structure[8] - structure[2] * t29;
+    const real_t t32 = (t2 ? (t2 ? t30 * t30 : TB_C(0.0)) : TB_C(0.0)) + (t4 ? (t4 ? t31 * t31
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t40 = structure[9] - structure[3] * t35;
-    const real_t t41 = t39 + (t3 ? (t3 ? t40 * t40 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t42 = structure[10] - structure[4] * t35;
-    const real_t t43 = t41 + (t10 ? (t10 ? t42 * t42 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t44 = structure[11] - structure[5] * t35;
-    const real_t t45 = t43 + (t12 ? (t12 ? t44 * t44 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t46 = TB_SQRT(t45);
-    const real_t t47 = t5 ? t37 : TB_C(0.0);
-    const real_t t48 = TB_COPYSIGN(t46, t47);
-    const real_t t49 = TB_C(1.0) / t48;
-    const real_t t50 = t18 * structure[6] + t19 * structure[7] + t20 * structure[8];
-    const real_t t51 = t50 + t22 * structure[9] + t23 * structure[10] + t24 * structure[11];
-    const real_t t52 = (wrench[1] - t51 + t26 * t36) * t49;
-    const real_t t53 = TB_C(20.033416898825333) * structure[13];
-    const real_t t54 = TB_C(20.033416898825333) * structure[12];
-    const real_t t55 = t5 ? (t5 ? structure[1] * t53 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t56 = TB_C(20.033416898825333) * structure[14];
-    const real_t t57 = t7 ? (t7 ? structure[2] * t56 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t58 = TB_C(20.033416898825333) * structure[15];
-    const real_t t59 = t3 ? (t3 ? structure[3] * t58 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t60 = TB_C(20.033416898825333) * structure[16];
-    const real_t t61 = t10 ? (t10 ? structure[4] * t60 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t62 = (t1 ? t27 * t54 : TB_C(0.0)) + t55 + t57 + t59 + t61;
-    const real_t t63 = TB_C(20.033416898825333) * structure[17];
-    const real_t t64 = t12 ? (t12 ? structure[5] * t63 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t65 = t34 * (t62 + t64);
-    const real_t t66 = t53 - structure[1] * t65;
-    const real_t t67 = t47 + t48;
-    const real_t t68 = t56 - structure[2] * t65;
-    const real_t t69 = (t5 ? t66 * t67 : TB_C(0.0)) + (t7 ? (t7 ? t38 * t68 : TB_C(0.0)) :
+    const real_t t33 = structure[9] - structure[3] * t29;
+    const real_t t34 = t32 + (t6 ? (t6 ? t33 * t33 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t35 = structure[10] - structure[4] * t29;
+    const real_t t36 = t34 + (t8 ? (t8 ? t35 * t35 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t37 = structure[11] - structure[5] * t29;
+    const real_t t38 = t36 + (t10 ? (t10 ? t37 * t37 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t39 = TB_SQRT(t38);
+    const real_t t40 = t2 ? t30 : TB_C(0.0);
+    const real_t t41 = TB_COPYSIGN(t39, t40);
+    const real_t t42 = TB_C(20.033416898825333) * structure[14];
+    const real_t t43 = TB_C(20.033416898825333) * structure[12];
+    const real_t t44 = TB_C(20.033416898825333) * structure[13];
+    const real_t t45 = t2 ? (t2 ? structure[1] * t44 : TB_C(0.0)) : TB_C(0.0);
+    const real_t t46 = t4 ? (t4 ? structure[2] * t42 : TB_C(0.0)) : TB_C(0.0);
+    const real_t t47 = TB_C(20.033416898825333) * structure[15];
+    const real_t t48 = t6 ? (t6 ? structure[3] * t47 : TB_C(0.0)) : TB_C(0.0);
+    const real_t t49 = TB_C(20.033416898825333) * structure[16];
+    const real_t t50 = t8 ? (t8 ? structure[4] * t49 : TB_C(0.0)) : TB_C(0.0);
+    const real_t t51 = (t0 ? t21 * t43 : TB_C(0.0)) + t45 + t46 + t48 + t50;
+    const real_t t52 = TB_C(20.033416898825333) * structure[17];
+    const real_t t53 = t10 ? (t10 ? structure[5] * t52 : TB_C(0.0)) : TB_C(0.0);
+    const real_t t54 = t28 * (t51 + t53);
+    const real_t t55 = t42 - structure[2] * t54;
+    const real_t t56 = t40 + t41;
+    const real_t t57 = t44 - structure[1] * t54;
+    const real_t t58 = (t2 ? t56 * t57 : TB_C(0.0)) + (t4 ? (t4 ? t31 * t55 : TB_C(0.0)) :
         TB_C(0.0));
-    const real_t t70 = t58 - structure[3] * t65;
-    const real_t t71 = t69 + (t3 ? (t3 ? t40 * t70 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t72 = t60 - structure[4] * t65;
-    const real_t t73 = t71 + (t10 ? (t10 ? t42 * t72 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t74 = t63 - structure[5] * t65;
-    const real_t t75 = t73 + (t12 ? (t12 ? t44 * t74 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t76 = t75 * (TB_C(1.0) / (t46 * (t46 + TB_ABS(t47))));
-    const real_t t77 = (t5 ? t66 : TB_C(0.0)) - t67 * t76;
-    const real_t t78 = t68 - t38 * t76;
-    const real_t t79 = t70 - t40 * t76;
-    const real_t t80 = (t7 ? (t7 ? t78 * t78 : TB_C(0.0)) : TB_C(0.0)) + (t3 ? (t3 ? t79 * t79
+    const real_t t59 = t47 - structure[3] * t54;
+    const real_t t60 = t58 + (t6 ? (t6 ? t33 * t59 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t61 = t49 - structure[4] * t54;
+    const real_t t62 = t60 + (t8 ? (t8 ? t35 * t61 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t63 = t52 - structure[5] * t54;
+    const real_t t64 = t62 + (t10 ? (t10 ? t37 * t63 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t65 = t64 * (TB_C(1.0) / (t39 * (t39 + TB_ABS(t40))));
+    const real_t t66 = t55 - t31 * t65;
+    const real_t t67 = t59 - t33 * t65;
+    const real_t t68 = (t4 ? (t4 ? t66 * t66 : TB_C(0.0)) : TB_C(0.0)) + (t6 ? (t6 ? t67 * t67
         : TB_C(0.0)) : TB_C(0.0));
-    const real_t t81 = t72 - t42 * t76;
-    const real_t t82 = t80 + (t10 ? (t10 ? t81 * t81 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t83 = t74 - t44 * t76;
-    const real_t t84 = t82 + (t12 ? (t12 ? t83 * t83 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t85 = TB_COPYSIGN(TB_SQRT(t84), t7 ? t78 : TB_C(0.0));
-    const real_t t86 = TB_C(1.0) / t85;
-    const real_t t87 = TB_C(20.033416898825333) * wrench[2];
-    const real_t t88 = t18 * t54 + t19 * t53 + t20 * t56 + t22 * t58 + t23 * t60;
-    const real_t t89 = (t1 ? t54 : TB_C(0.0)) - t27 * t65;
-    const real_t t90 = (t87 - (t88 + t24 * t63) + t26 * t89 + t52 * t77) * t86;
-    const real_t t91 = t86 * t90;
-    const real_t t92 = t49 * (t52 + t77 * t91);
-    const real_t t93 = t17 * (t26 + t36 * t92 + t89 * t91);
-    const real_t t94 = structure[3] * t93 + structure[9] * t92 + t58 * t91;
-    const real_t t95 = tb_max(TB_C(3.0) - t94, t94 - TB_C(1000000000000.0));
-    const real_t t96 = TB_C(0.0) < (t3 ? TB_C(1.0) : TB_C(0.0)) ? t95 : -TB_C(1.0);
-    const real_t t97 = structure[4] * t93 + structure[10] * t92 + t60 * t91;
-    const real_t t98 = tb_max(TB_C(3.0) - t97, t97 - TB_C(1000000000000.0));
-    const real_t t99 = TB_C(0.0) < (t10 ? TB_C(1.0) : TB_C(0.0)) ? t98 : -TB_C(1.0);
-    const real_t t100 = structure[5] * t93 + structure[11] * t92 + t63 * t91;
-    const real_t t101 = tb_max(TB_C(3.0) - t100, t100 - TB_C(1000000000000.0));
-    const real_t t102 = TB_C(0.0) < (t12 ? TB_C(1.0) : TB_C(0.0)) ? t101 : -TB_C(1.0);
-    const real_t t103 = structure[0] * t93 + structure[6] * t92 + t54 * t91;
-    const real_t t104 = tb_max(TB_C(3.0) - t103, t103 - TB_C(1000000000000.0));
-    const real_t t105 = TB_C(0.0) < (t1 ? TB_C(1.0) : TB_C(0.0)) ? t104 : -TB_C(1.0);
-    const real_t t106 = structure[1] * t93 + structure[7] * t92 + t53 * t91;
-    const real_t t107 = tb_max(TB_C(3.0) - t106, t106 - TB_C(1000000000000.0));
-    const real_t t108 = TB_C(0.0) < (t5 ? TB_C(1.0) : TB_C(0.0)) ? t107 : -TB_C(1.0);
-    const real_t t109 = structure[2] * t93 + structure[8] * t92 + t56 * t91;
-    const real_t t110 = tb_max(TB_C(3.0) - t109, t109 - TB_C(1000000000000.0));
-    const real_t t111 = TB_C(0.0) < (t7 ? TB_C(1.0) : TB_C(0.0)) ? t110 : -TB_C(1.0);
-    real_t t112, t113, t114, t115, t116, t117;
-    if (t2) {
-        t112 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
-        t113 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
-        t114 = moving[0] == TB_C(5.0) ? TB_C(1.0) : TB_C(0.0);
-        t115 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
-        t116 = moving[0] == TB_C(1.0) ? TB_C(1.0) : TB_C(0.0);
-        t117 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
+    const real_t t69 = t61 - t35 * t65;
+    const real_t t70 = t68 + (t8 ? (t8 ? t69 * t69 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t71 = t63 - t37 * t65;
+    const real_t t72 = t70 + (t10 ? (t10 ? t71 * t71 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t73 = TB_COPYSIGN(TB_SQRT(t72), t4 ? t66 : TB_C(0.0));
+    const real_t t74 = tb_min(tb_min(TB_ABS(t20), TB_ABS(t41)), TB_ABS(t73));
+    const real_t t75 = TB_C(1.0) / tb_min(TB_C(1.0), t74);
+    const real_t t76 = TB_C(64.0) * TB_EPSILON * t75;
+    const bool t77 = TB_C(0.0) <= moving[0];
+    const real_t t78 = TB_C(1.0) / t20;
+    const real_t t79 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
+        TB_C(3.0) : TB_C(0.0));
+    const real_t t80 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
+        TB_C(3.0) : TB_C(0.0));
+    const real_t t81 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
+        TB_C(3.0) : TB_C(0.0));
+    const real_t t82 = structure[0] * t79 + structure[1] * t80 + structure[2] * t81;
+    const real_t t83 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
+        TB_C(3.0) : TB_C(0.0));
+    const real_t t84 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
+        TB_C(3.0) : TB_C(0.0));
+    const real_t t85 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
+        TB_C(3.0) : TB_C(0.0));
+    const real_t t86 = t82 + structure[3] * t83 + structure[4] * t84 + structure[5] * t85;
+    const real_t t87 = (wrench[0] - t86) * t78;
+    const real_t t88 = (t0 ? structure[6] : TB_C(0.0)) - t21 * t29;
+    const real_t t89 = TB_C(1.0) / t41;
+    const real_t t90 = structure[6] * t79 + structure[7] * t80 + structure[8] * t81;
+    const real_t t91 = t90 + structure[9] * t83 + structure[10] * t84 + structure[11] * t85;
+    const real_t t92 = (wrench[1] - t91 + t87 * t88) * t89;
+    const real_t t93 = (t2 ? t57 : TB_C(0.0)) - t56 * t65;
+    const real_t t94 = TB_C(1.0) / t73;
+    const real_t t95 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t96 = t43 * t79 + t44 * t80 + t42 * t81 + t47 * t83 + t49 * t84;
+    const real_t t97 = (t0 ? t43 : TB_C(0.0)) - t21 * t54;
+    const real_t t98 = (t95 - (t96 + t52 * t85) + t87 * t97 + t92 * t93) * t94;
+    const real_t t99 = t94 * t98;
+    const real_t t100 = t89 * (t92 + t93 * t99);
+    const real_t t101 = t78 * (t87 + t88 * t100 + t97 * t99);
+    const real_t t102 = structure[3] * t101 + structure[9] * t100 + t47 * t99;
+    const real_t t103 = tb_max(TB_C(3.0) - t102, t102 - TB_C(1000000000000.0));
+    const real_t t104 = TB_C(0.0) < t7 ? t103 : -TB_C(1.0);
+    const real_t t105 = structure[4] * t101 + structure[10] * t100 + t49 * t99;
+    const real_t t106 = tb_max(TB_C(3.0) - t105, t105 - TB_C(1000000000000.0));
+    const real_t t107 = TB_C(0.0) < t9 ? t106 : -TB_C(1.0);
+    const real_t t108 = structure[5] * t101 + structure[11] * t100 + t52 * t99;
+    const real_t t109 = tb_max(TB_C(3.0) - t108, t108 - TB_C(1000000000000.0));
+    const real_t t110 = TB_C(0.0) < t11 ? t109 : -TB_C(1.0);
+    const real_t t111 = structure[0] * t101 + structure[6] * t100 + t43 * t99;
+    const real_t t112 = tb_max(TB_C(3.0) - t111, t111 - TB_C(1000000000000.0));
+    const real_t t113 = TB_C(0.0) < t1 ? t112 : -TB_C(1.0);
+    const real_t t114 = structure[1] * t101 + structure[7] * t100 + t44 * t99;
+    const real_t t115 = tb_max(TB_C(3.0) - t114, t114 - TB_C(1000000000000.0));
+    const real_t t116 = TB_C(0.0) < t3 ? t115 : -TB_C(1.0);
+    const real_t t117 = structure[2] * t101 + structure[8] * t100 + t42 * t99;
+    const real_t t118 = tb_max(TB_C(3.0) - t117, t117 - TB_C(1000000000000.0));
+    const real_t t119 = TB_C(0.0) < t5 ? t118 : -TB_C(1.0);
+    real_t t120, t121, t122, t123, t124, t125;
+    if (t77) {
+        t120 = TB_C(3.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t121 = moving[0] == TB_C(4.0) ? TB_C(1.0) : TB_C(0.0);
+        t122 = moving[0] == TB_C(5.0) ? TB_C(1.0) : TB_C(0.0);
+        t123 = TB_C(0.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t124 = TB_C(1.0) == moving[0] ? TB_C(1.0) : TB_C(0.0);
+        t125 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
     } else {
-        t112 = t96;
-        t113 = t99;
-        t114 = t102;
-        t115 = t105;
-        t116 = t108;
-        t117 = t111;
+        t120 = t104;
+        t121 = t107;
+        t122 = t110;
+        t123 = t113;
+        t124 = t116;
+        t125 = t119;
     }
-    const real_t t118 = tb_max(t112, t113);
-    const real_t t119 = tb_max(t115, t116);
-    const bool t120 = tb_max(t118, t114) <= tb_max(t119, t117);
-    real_t t121, t122, t123, t124, t125;
-    if (t120) {
-        const bool t126 = t117 <= t119;
-        real_t t127, t128, t129, t130, t131;
-        if (t126) {
-            const bool t132 = t116 <= t115;
-            t127 = t132 ? TB_C(0.0) : TB_C(1.0);
-            t128 = t132 ? structure[0] : structure[1];
-            t129 = t132 ? structure[6] : structure[7];
-            t130 = t132 ? t54 : t53;
-            t131 = t132 ? t103 : t106;
+    const real_t t126 = tb_max(t120, t121);
+    const real_t t127 = tb_max(t123, t124);
+    const bool t128 = tb_max(t126, t122) <= tb_max(t127, t125);
+    real_t t129, t130, t131, t132, t133;
+    if (t128) {
+        const bool t134 = t125 <= t127;
+        real_t t135, t136, t137, t138, t139;
+        if (t134) {
+            const bool t140 = t124 <= t123;
+            t135 = t140 ? TB_C(0.0) : TB_C(1.0);
+            t136 = t140 ? structure[0] : structure[1];
+            t137 = t140 ? structure[6] : structure[7];
+            t138 = t140 ? t43 : t44;
+            t139 = t140 ? t111 : t114;
         } else {
-            t127 = TB_C(2.0);
-            t128 = structure[2];
-            t129 = structure[8];
-            t130 = t56;
-            t131 = t109;
+            t135 = TB_C(2.0);
+            t136 = structure[2];
+            t137 = structure[8];
+            t138 = t42;
+            t139 = t117;
         }
-        t121 = t127;
-        t122 = t128;
-        t123 = t129;
-        t124 = t130;
-        t125 = t131;
+        t129 = t135;
+        t130 = t136;
+        t131 = t137;
+        t132 = t138;
+        t133 = t139;
     } else {
-        const bool t133 = t114 <= t118;
-        real_t t134, t135, t136, t137, t138;
-        if (t133) {
-            const bool t139 = t113 <= t112;
-            t134 = t139 ? TB_C(3.0) : TB_C(4.0);
-            t135 = t139 ? structure[3] : structure[4];
-            t136 = t139 ? structure[9] : structure[10];
-            t137 = t139 ? t58 : t60;
-            t138 = t139 ? t94 : t97;
+        const bool t141 = t122 <= t126;
+        real_t t142, t143, t144, t145, t146;
+        if (t141) {
+            const bool t147 = t121 <= t120;
+            t142 = t147 ? TB_C(3.0) : TB_C(4.0);
+            t143 = t147 ? structure[3] : structure[4];
+            t144 = t147 ? structure[9] : structure[10];
+            t145 = t147 ? t47 : t49;
+            t146 = t147 ? t102 : t105;
         } else {
-            t134 = TB_C(5.0);
-            t135 = structure[5];
-            t136 = structure[11];
-            t137 = t63;
-            t138 = t100;
+            t142 = TB_C(5.0);
+            t143 = structure[5];
+            t144 = structure[11];
+            t145 = t52;
+            t146 = t108;
         }
-        t121 = t134;
-        t122 = t135;
-        t123 = t136;
-        t124 = t137;
-        t125 = t138;
+        t129 = t142;
+        t130 = t143;
+        t131 = t144;
+        t132 = t145;
+        t133 = t146;
     }
-    const real_t t140 = t17 * t122;
-    const real_t t141 = t49 * (t123 + t36 * t140);
-    const real_t t142 = t86 * (t86 * (t124 + t89 * t140 + t77 * t141));
-    const real_t t143 = t49 * (t141 + t77 * t142);
-    const real_t t144 = t17 * (t140 + t36 * t143 + t89 * t142);
-    const real_t t145 = structure[0] * t144 + structure[6] * t143 + t54 * t142;
-    const real_t t146 = (TB_C(0.0) == t121 ? TB_C(1.0) : TB_C(0.0)) - t145;
-    const real_t t147 = structure[1] * t144 + structure[7] * t143 + t53 * t142;
-    const real_t t148 = (TB_C(1.0) == t121 ? TB_C(1.0) : TB_C(0.0)) - t147;
-    const real_t t149 = (t1 ? (t1 ? t146 * t146 : TB_C(0.0)) : TB_C(0.0)) + (t5 ? (t5 ? t148 *
-        t148 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t150 = structure[2] * t144 + structure[8] * t143 + t56 * t142;
-    const real_t t151 = (TB_C(2.0) == t121 ? TB_C(1.0) : TB_C(0.0)) - t150;
-    const real_t t152 = t149 + (t7 ? (t7 ? t151 * t151 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t153 = structure[3] * t144 + structure[9] * t143 + t58 * t142;
-    const real_t t154 = (TB_C(3.0) == t121 ? TB_C(1.0) : TB_C(0.0)) - t153;
-    const real_t t155 = t152 + (t3 ? (t3 ? t154 * t154 : TB_C(0.0)) : TB_C(0.0));
-    const real_t t156 = structure[4] * t144 + structure[10] * t143 + t60 * t142;
-    const real_t t157 = (TB_C(4.0) == t121 ? TB_C(1.0) : TB_C(0.0)) - t156;
-    const real_t t158 = t10 ? (t10 ? t157 * t157 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t159 = structure[5] * t144 + structure[11] * t143 + t63 * t142;
-    const real_t t160 = (TB_C(5.0) == t121 ? TB_C(1.0) : TB_C(0.0)) - t159;
-    const real_t t161 = t12 ? (t12 ? t160 * t160 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t162 = t155 + t158 + t161;
-    const real_t t163 = t125 + t162 * push[0];
-    const bool t164 = t163 < TB_C(500000000001.5);
-    real_t t165;
-    if (t0 * t0 < t162) {
-        const real_t t166 = t164 ? TB_C(3.0) - t163 : t163 - TB_C(1000000000000.0);
-        t165 = tb_max(t166, TB_C(0.0)) * (TB_C(1.0) / t162);
+    const real_t t148 = t78 * t130;
+    const real_t t149 = t89 * (t131 + t88 * t148);
+    const real_t t150 = t94 * (t94 * (t132 + t97 * t148 + t93 * t149));
+    const real_t t151 = t89 * (t149 + t93 * t150);
+    const real_t t152 = t78 * (t148 + t88 * t151 + t97 * t150);
+    const real_t t153 = structure[0] * t152 + structure[6] * t151 + t43 * t150;
+    const real_t t154 = (TB_C(0.0) == t129 ? TB_C(1.0) : TB_C(0.0)) - t153;
+    const real_t t155 = structure[1] * t152 + structure[7] * t151 + t44 * t150;
+    const real_t t156 = (TB_C(1.0) == t129 ? TB_C(1.0) : TB_C(0.0)) - t155;
+    const real_t t157 = (t0 ? (t0 ? t154 * t154 : TB_C(0.0)) : TB_C(0.0)) + (t2 ? (t2 ? t156 *
+        t156 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t158 = structure[2] * t152 + structure[8] * t151 + t42 * t150;
+    const real_t t159 = (TB_C(2.0) == t129 ? TB_C(1.0) : TB_C(0.0)) - t158;
+    const real_t t160 = t157 + (t4 ? (t4 ? t159 * t159 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t161 = structure[3] * t152 + structure[9] * t151 + t47 * t150;
+    const real_t t162 = (TB_C(3.0) == t129 ? TB_C(1.0) : TB_C(0.0)) - t161;
+    const real_t t163 = t160 + (t6 ? (t6 ? t162 * t162 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t164 = structure[4] * t152 + structure[10] * t151 + t49 * t150;
+    const real_t t165 = (TB_C(4.0) == t129 ? TB_C(1.0) : TB_C(0.0)) - t164;
+    const real_t t166 = t163 + (t8 ? (t8 ? t165 * t165 : TB_C(0.0)) : TB_C(0.0));
+    const real_t t167 = structure[5] * t152 + structure[11] * t151 + t52 * t150;
+    const real_t t168 = (TB_C(5.0) == t129 ? TB_C(1.0) : TB_C(0.0)) - t167;
+    const real_t t169 = t10 ? (t10 ? t168 * t168 : TB_C(0.0)) : TB_C(0.0);
+    const real_t t170 = t166 + t169;
+    const bool t171 = TB_C(3.0) < t1 + t3 + t5 + t7 + t9 + t11 && t76 * t76 < t170;
+    const real_t t172 = t133 + t170 * push[0];
+    const bool t173 = t172 < TB_C(500000000001.5);
+    real_t t174;
+    if (t171) {
+        const real_t t175 = t173 ? TB_C(3.0) - t172 : t172 - TB_C(1000000000000.0);
+        t174 = tb_max(t175, TB_C(0.0)) * (TB_C(1.0) / t170);
     } else {
-        t165 = TB_C(1e+30);
+        t174 = TB_C(1e+30);
     }
-    const real_t t167 = t164 ? TB_C(1.0) : -TB_C(1.0);
-    const real_t t168 = side[0] * (t145 * t167);
-    real_t t169;
-    if (t0 < t168) {
-        const real_t t170 = tb_max(side[0] * (t103 - t145 * push[0] - t18), TB_C(0.0));
-        t169 = t170 / t168;
-    } else {
-        t169 = TB_C(1e+30);
-    }
-    const real_t t171 = side[1] * (t147 * t167);
-    real_t t172;
-    if (t0 < t171) {
-        const real_t t173 = tb_max(side[1] * (t106 - t147 * push[0] - t19), TB_C(0.0));
-        t172 = t173 / t171;
-    } else {
-        t172 = TB_C(1e+30);
-    }
-    const real_t t174 = side[2] * (t150 * t167);
-    real_t t175;
-    if (t0 < t174) {
-        const real_t t176 = tb_max(side[2] * (t109 - t150 * push[0] - t20), TB_C(0.0));
-        t175 = t176 / t174;
-    } else {
-        t175 = TB_C(1e+30);
-    }
-    const real_t t177 = side[3] * (t153 * t167);
+    const real_t t176 = t173 ? TB_C(1.0) : -TB_C(1.0);
+    const real_t t177 = side[0] * (t153 * t176);
     real_t t178;
-    if (t0 < t177) {
-        const real_t t179 = tb_max(side[3] * (t94 - t153 * push[0] - t22), TB_C(0.0));
+    if (t76 < t177) {
+        const real_t t179 = tb_max(side[0] * (t111 - t153 * push[0] - t79), TB_C(0.0));
         t178 = t179 / t177;
     } else {
         t178 = TB_C(1e+30);
     }
-    const real_t t180 = side[4] * (t156 * t167);
+    const real_t t180 = side[1] * (t155 * t176);
     real_t t181;
-    if (t0 < t180) {
-        const real_t t182 = tb_max(side[4] * (t97 - t156 * push[0] - t23), TB_C(0.0));
+    if (t76 < t180) {
+        const real_t t182 = tb_max(side[1] * (t114 - t155 * push[0] - t80), TB_C(0.0));
         t181 = t182 / t180;
     } else {
         t181 = TB_C(1e+30);
     }
-    const real_t t183 = tb_min(tb_min(tb_min(tb_min(t169, t172), t175), t178), t181);
-    const real_t t184 = side[5] * (t159 * t167);
-    real_t t185;
-    if (t0 < t184) {
-        const real_t t186 = tb_max(side[5] * (t100 - t159 * push[0] - t24), TB_C(0.0));
-        t185 = t186 / t184;
+    const real_t t183 = side[2] * (t158 * t176);
+    real_t t184;
+    if (t76 < t183) {
+        const real_t t185 = tb_max(side[2] * (t117 - t158 * push[0] - t81), TB_C(0.0));
+        t184 = t185 / t183;
     } else {
-        t185 = TB_C(1e+30);
+        t184 = TB_C(1e+30);
     }
-    const real_t t187 = tb_min(t183, t185);
-    const bool t188 = t165 <= t187;
-    const real_t t189 = tb_max(tb_max(tb_max(tb_max(t105, t108), t111), t96), t99);
-    const real_t t190 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t87);
-    const real_t t191 = tb_min(tb_min(TB_ABS(t16), TB_ABS(t48)), TB_ABS(t85));
-    const real_t t192 = TB_EPSILON * TB_C(8.0) * (TB_C(3.0) + t190) / tb_min(TB_C(1.0), t191);
-    const bool t193 = (!t2 && tb_max(t189, t102) <= t192) || !(tb_min(t165, t187) <
+    const real_t t186 = side[3] * (t161 * t176);
+    real_t t187;
+    if (t76 < t186) {
+        const real_t t188 = tb_max(side[3] * (t102 - t161 * push[0] - t83), TB_C(0.0));
+        t187 = t188 / t186;
+    } else {
+        t187 = TB_C(1e+30);
+    }
+    const real_t t189 = side[4] * (t164 * t176);
+    real_t t190;
+    if (t76 < t189) {
+        const real_t t191 = tb_max(side[4] * (t105 - t164 * push[0] - t84), TB_C(0.0));
+        t190 = t191 / t189;
+    } else {
+        t190 = TB_C(1e+30);
+    }
+    const real_t t192 = tb_min(tb_min(tb_min(tb_min(t178, t181), t184), t187), t190);
+    const real_t t193 = side[5] * (t167 * t176);
+    real_t t194;
+    if (t76 < t193) {
+        const real_t t195 = tb_max(side[5] * (t108 - t167 * push[0] - t85), TB_C(0.0));
+        t194 = t195 / t193;
+    } else {
+        t194 = TB_C(1e+30);
+    }
+    const real_t t196 = tb_min(t192, t194);
+    const bool t197 = t174 <= t196;
+    const real_t t198 = tb_max(tb_max(tb_max(tb_max(t113, t116), t119), t104), t107);
+    const real_t t199 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t95);
+    const real_t t200 = t75 * (TB_EPSILON * TB_C(8.0) * (TB_C(3.0) + t199));
+    const bool t201 = (!t77 && tb_max(t198, t110) <= t200) || !(tb_min(t174, t196) <
         TB_C(1e+30));
-    const real_t t194 = t188 && !t193 ? t121 : -TB_C(1.0);
-    const real_t t195 = -t167;
-    real_t t196;
-    if (t188 || t193) {
-        t196 = -TB_C(1.0);
+    const real_t t202 = t197 && !t201 ? t129 : -TB_C(1.0);
+    const real_t t203 = -t176;
+    real_t t204;
+    if (t197 || t201) {
+        t204 = -TB_C(1.0);
     } else {
-        const real_t t197 = -t178;
-        const real_t t198 = -t181;
-        const real_t t199 = tb_max(t197, t198);
-        const real_t t200 = -t185;
-        const real_t t201 = -t169;
-        const real_t t202 = -t172;
-        const real_t t203 = tb_max(t201, t202);
-        const real_t t204 = -t175;
-        real_t t205;
-        if (tb_max(t199, t200) <= tb_max(t203, t204)) {
-            const real_t t206 = t204 <= t203 ? (t202 <= t201 ? TB_C(0.0) : TB_C(1.0)) :
+        const real_t t205 = -t187;
+        const real_t t206 = -t190;
+        const real_t t207 = tb_max(t205, t206);
+        const real_t t208 = -t194;
+        const real_t t209 = -t178;
+        const real_t t210 = -t181;
+        const real_t t211 = tb_max(t209, t210);
+        const real_t t212 = -t184;
+        real_t t213;
+        if (tb_max(t207, t208) <= tb_max(t211, t212)) {
+            const real_t t214 = t212 <= t211 ? (t210 <= t209 ? TB_C(0.0) : TB_C(1.0)) :
                 TB_C(2.0);
-            t205 = t206;
+            t213 = t214;
         } else {
-            const real_t t207 = t200 <= t199 ? (t198 <= t197 ? TB_C(3.0) : TB_C(4.0)) :
+            const real_t t215 = t208 <= t207 ? (t206 <= t205 ? TB_C(3.0) : TB_C(4.0)) :
                 TB_C(5.0);
-            t205 = t207;
+            t213 = t215;
         }
-        t196 = t205;
+        t204 = t213;
     }
-    const real_t side_0 = TB_C(0.0) == t194 ? t195 : (TB_C(0.0) == t196 ? TB_C(0.0) : side[0]);
-    const real_t side_1 = TB_C(1.0) == t194 ? t195 : (TB_C(1.0) == t196 ? TB_C(0.0) : side[1]);
-    const real_t side_2 = TB_C(2.0) == t194 ? t195 : (TB_C(2.0) == t196 ? TB_C(0.0) : side[2]);
-    const real_t side_3 = TB_C(3.0) == t194 ? t195 : (TB_C(3.0) == t196 ? TB_C(0.0) : side[3]);
-    const real_t side_4 = TB_C(4.0) == t194 ? t195 : (TB_C(4.0) == t196 ? TB_C(0.0) : side[4]);
-    const real_t side_5 = TB_C(5.0) == t194 ? t195 : (TB_C(5.0) == t196 ? TB_C(0.0) : side[5]);
-    const real_t moving_0 = t188 ? -TB_C(1.0) : t121;
-    const real_t push_0 = t188 ? TB_C(0.0) : push[0] + t167 * t187;
-    const real_t done_0 = t193 ? TB_C(1.0) : TB_C(0.0);
+    const real_t side_0 = TB_C(0.0) == t202 ? t203 : (TB_C(0.0) == t204 ? TB_C(0.0) : side[0]);
+    const real_t side_1 = TB_C(1.0) == t202 ? t203 : (TB_C(1.0) == t204 ? TB_C(0.0) : side[1]);
+    const real_t side_2 = TB_C(2.0) == t202 ? t203 : (TB_C(2.0) == t204 ? TB_C(0.0) : side[2]);
+    const real_t side_3 = TB_C(3.0) == t202 ? t203 : (TB_C(3.0) == t204 ? TB_C(0.0) : side[3]);
+    const real_t side_4 = TB_C(4.0) == t202 ? t203 : (TB_C(4.0) == t204 ? TB_C(0.0) : side[4]);
+    const real_t side_5 = TB_C(5.0) == t202 ? t203 : (TB_C(5.0) == t204 ? TB_C(0.0) : side[5]);
+    const real_t moving_0 = t197 ? -TB_C(1.0) : t129;
+    const real_t push_0 = t197 ? TB_C(0.0) : push[0] + t176 * t196;
+    const real_t done_0 = t201 ? TB_C(1.0) : TB_C(0.0);
     side[0] = side_0;
     side[1] = side_1;
     side[2] = side_2;

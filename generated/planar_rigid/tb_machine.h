@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 48fe715b520796ec, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 0bad61dc7eb3715e, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "planar_rigid"
-#define TB_MACHINE_HASH "48fe715b520796ec"
+#define TB_MACHINE_HASH "0bad61dc7eb3715e"
 
 #define TB_DOF 3 /* degrees of freedom of the platform */
 #define TB_CABLES 6

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 48fe715b520796ec, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 0bad61dc7eb3715e, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -19,10 +19,10 @@
  *  TB_INACCURATE: not done after 30 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 6.1e-12 N; float at most 1.0e-03 N.
+ *  Error of tension: double at most 6.7e-12 N; float at most 2.2e-03 N.
  *  At most 30 steps.
  *  Visits 15 subsets of the cables.
- *  Cost, all branches and steps: 5251 add, 6270 mul, 437 div, 120 sqrt, 2328 compare, 6623
+ *  Cost, all branches and steps: 5401 add, 6330 mul, 437 div, 120 sqrt, 2358 compare, 6623
  *    select. */
 tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[6], real_t tension[6]);
 
@@ -38,10 +38,10 @@ tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[6], re
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_SINGULAR: T_min is 0, and so is every zero-wrench tension.
- *  Error of factor: double at most 1.7e-13; float at most 8.1e-05.
+ *  Error of factor: double at most 5.2e-14; float at most 1.7e-04.
  *  At most 30 steps.
  *  Visits 15 subsets of the cables.
- *  Cost, all branches and steps: 5251 add, 6270 mul, 438 div, 120 sqrt, 2329 compare, 6629
+ *  Cost, all branches and steps: 5401 add, 6330 mul, 438 div, 120 sqrt, 2359 compare, 6629
  *    select. */
 tb_status tb_tension_factor(const real_t pose[3], const real_t rails[6], real_t factor[1]);
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 48fe715b520796ec, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 0bad61dc7eb3715e, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -17,11 +17,11 @@
  *  TB_INACCURATE: not done after 30 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 8.8e-13 N; float at most 1.1e-04 N.
- *  Error of delivered: double at most 5.7e-14 N; float at most 3.1e-05 N.
- *  Error of kkt_residual: double at most 5.7e-14 N; float at most 3.1e-05 N.
+ *  Error of tension: double at most 2.6e-13 N; float at most 1.7e-04 N.
+ *  Error of delivered: double at most 4.3e-14 N; float at most 3.1e-05 N.
+ *  Error of kkt_residual: double at most 4.3e-14 N; float at most 3.1e-05 N.
  *  At most 30 steps.
- *  Cost, all branches and steps: 4608 add, 5499 mul, 399 div, 96 sqrt, 2122 compare, 6495
+ *  Cost, all branches and steps: 4758 add, 5559 mul, 399 div, 96 sqrt, 2152 compare, 6495
  *    select. */
 tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[3], real_t
     tension[6], real_t delivered[3], real_t kkt_residual[1]);
@@ -36,11 +36,11 @@ tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[
  *  TB_INACCURATE: not done after 30 steps.
  *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
- *  Error of tension: double at most 2.3e-12 N; float at most 1.2e-04 N.
- *  Error of delivered: double at most 2.1e-12 N; float at most 1.1e-04 N.
- *  Error of kkt_residual: double at most 2.2e-10 N; float at most 2.9e-02 N.
+ *  Error of tension: double at most 1.2e-13 N; float at most 2.8e-03 N.
+ *  Error of delivered: double at most 8.5e-14 N; float at most 2.1e-03 N.
+ *  Error of kkt_residual: double at most 2.1e-08 N; float at most 3.5e-02 N.
  *  At most 30 steps.
- *  Cost, all branches and steps: 4711 add, 5543 mul, 399 div, 96 sqrt, 2128 compare, 6512
+ *  Cost, all branches and steps: 4861 add, 5603 mul, 399 div, 96 sqrt, 2158 compare, 6512
  *    select. */
 tb_status tb_distribute_tension_paper(const real_t structure[18], const real_t wrench[3],
     real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
@@ -92,12 +92,12 @@ tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench
  *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 4.3e-10 N; float at most 2.8e-01 N.
- *  Error of delivered: double at most 8.4e-14 N; float at most 2.1e-04 N.
- *  Error of kkt_residual: double at most 2.8e-14 N; float at most 2.8e-04 N.
+ *  Error of tension: double at most 1.2e-10 N; float at most 9.2e-02 N.
+ *  Error of delivered: double at most 1.3e-13 N; float at most 9.7e-05 N.
+ *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.2e-04 N.
  *  At most 250 steps.
  *  Visits 15 subsets of the cables.
- *  Cost, all branches and steps: 48418 add, 49414 mul, 3164 div, 1107 sqrt, 13347 compare,
+ *  Cost, all branches and steps: 48868 add, 49594 mul, 3164 div, 1107 sqrt, 13437 compare,
  *    57554 select. */
 tb_status tb_distribute_tension_scale(const real_t structure[18], const real_t wrench[3],
     real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
@@ -115,11 +115,11 @@ tb_status tb_distribute_tension_scale(const real_t structure[18], const real_t w
  *  TB_INACCURATE: not done after 160 steps.
  *  TB_INACCURATE: a feasible wrench is nearer than the one found.
  *  TB_INFEASIBLE: no admissible tension exerts it.
- *  Error of tension: double at most 8.6e-11 N; float at most 4.2e-02 N.
- *  Error of delivered: double at most 1.4e-13 N; float at most 5.2e-05 N.
- *  Error of kkt_residual: double at most 2.8e-14 N; float at most 5.1e-05 N.
+ *  Error of tension: double at most 1.1e-09 N; float at most 1.6e-02 N.
+ *  Error of delivered: double at most 1.7e-13 N; float at most 1.2e-04 N.
+ *  Error of kkt_residual: double at most 1.7e-13 N; float at most 2.9e-05 N.
  *  At most 250 steps.
- *  Cost, all branches and steps: 47702 add, 48607 mul, 3117 div, 1089 sqrt, 13100 compare,
+ *  Cost, all branches and steps: 48152 add, 48787 mul, 3117 div, 1089 sqrt, 13190 compare,
  *    57260 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[18], const real_t wrench[3],
     real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 94db2199020253b1, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 385c359828d489d5, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -18,12 +18,12 @@
  *  TB_INACCURATE: not done after 40 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 2.7e-13 N (worst found 6.8e-14 at pose (0.3253, 0.3791,
- *    0.4986, 0.359, -0.7857, -0.03603)); float at most 2.0e-04 N (worst found 5.1e-05 at pose
- *    (0.1978, 0.3123, 0.498, 0.4337, 0.9343, -0.143)).
+ *  Error of tension: double at most 1.4e-13 N (worst found 3.6e-14 at pose (0.4613, 0.3134,
+ *    0.1089, 0.6492, 0.1034, 0.2674)); float at most 6.7e-05 N (worst found 1.7e-05 at pose
+ *    (0.3577, 0.4231, 0.1949, -0.747, 0.1373, 0.3365)).
  *  At most 40 steps.
  *  Visits 56 subsets of the cables.
- *  Cost, all branches and steps: 30248 add, 35464 mul, 1151 div, 546 sqrt, 6247 compare, 20684
+ *  Cost, all branches and steps: 30528 add, 35424 mul, 1151 div, 546 sqrt, 6287 compare, 20684
  *    select. */
 tb_status tb_zero_wrench_tension(const real_t pose[6], const real_t rails[1], real_t tension[8]);
 
@@ -38,12 +38,12 @@ tb_status tb_zero_wrench_tension(const real_t pose[6], const real_t rails[1], re
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
  *  TB_SINGULAR: T_min is 0, and so is every zero-wrench tension.
- *  Error of factor: double at most 2.5e-15 (worst found 6.1e-16 at pose (0.3253, 0.3877,
- *    0.4964, 0.3636, -0.7857, 0.005299)); float at most 2.3e-06 (worst found 5.8e-07 at pose
- *    (0.1978, 0.3249, 0.4724, 0.4151, 1.047, -0.2877)).
+ *  Error of factor: double at most 2.7e-15 (worst found 6.8e-16 at pose (0.365, 0.264, 0.1584,
+ *    -0.8488, 0.7025, -0.2091)); float at most 1.1e-06 (worst found 2.8e-07 at pose (0.3789,
+ *    0.3687, 0.4074, -0.4471, 0.8378, 0)).
  *  At most 40 steps.
  *  Visits 56 subsets of the cables.
- *  Cost, all branches and steps: 30248 add, 35464 mul, 1152 div, 546 sqrt, 6248 compare, 20692
+ *  Cost, all branches and steps: 30528 add, 35424 mul, 1152 div, 546 sqrt, 6288 compare, 20692
  *    select. */
 tb_status tb_tension_factor(const real_t pose[6], const real_t rails[1], real_t factor[1]);
 

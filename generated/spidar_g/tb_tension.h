@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 94db2199020253b1, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 385c359828d489d5, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -17,11 +17,11 @@
  *  TB_INACCURATE: not done after 40 steps.
  *  TB_INACCURATE: no admissible tension exerts the wrench, or the optimality conditions are
  *    missed.
- *  Error of tension: double at most 2.5e-13 N; float at most 8.6e-05 N.
+ *  Error of tension: double at most 3.0e-13 N; float at most 1.5e-04 N.
  *  Error of delivered: double at most 2.8e-14 N; float at most 1.5e-05 N.
  *  Error of kkt_residual: double at most 2.8e-14 N; float at most 1.5e-05 N.
  *  At most 40 steps.
- *  Cost, all branches and steps: 19550 add, 23063 mul, 858 div, 252 sqrt, 3711 compare, 20114
+ *  Cost, all branches and steps: 19830 add, 23023 mul, 858 div, 252 sqrt, 3751 compare, 20114
  *    select. */
 tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[6], real_t
     tension[8], real_t delivered[6], real_t kkt_residual[1]);
@@ -36,11 +36,11 @@ tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[
  *  TB_INACCURATE: not done after 40 steps.
  *  TB_INFEASIBLE: eq. 22 has no solution, and every cable holds T_min.
  *  TB_INFEASIBLE: eq. 23 clipped a tension.
- *  Error of tension: double at most 2.7e-12 N; float at most 1.2e-03 N.
- *  Error of delivered: double at most 2.4e-12 N; float at most 1.1e-03 N.
- *  Error of kkt_residual: double at most 1.6e-10 N; float at most 1.8e-02 N.
+ *  Error of tension: double at most 1.9e-13 N; float at most 9.5e-05 N.
+ *  Error of delivered: double at most 1.6e-13 N; float at most 7.3e-05 N.
+ *  Error of kkt_residual: double at most 2.5e-10 N; float at most 3.2e-02 N.
  *  At most 40 steps.
- *  Cost, all branches and steps: 19817 add, 23129 mul, 858 div, 252 sqrt, 3719 compare, 20137
+ *  Cost, all branches and steps: 20097 add, 23209 mul, 858 div, 252 sqrt, 3759 compare, 20137
  *    select. */
 tb_status tb_distribute_tension_paper(const real_t structure[48], const real_t wrench[6],
     real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
@@ -97,7 +97,7 @@ tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench
  *  Error of kkt_residual: double at most 2.1e-14 N; float at most 3.9e-05 N.
  *  At most 400 steps.
  *  Visits 56 subsets of the cables.
- *  Cost, all branches and steps: 316897 add, 295954 mul, 8795 div, 3283 sqrt, 33729 compare,
+ *  Cost, all branches and steps: 317737 add, 295834 mul, 8795 div, 3283 sqrt, 33849 compare,
  *    290315 select. */
 tb_status tb_distribute_tension_scale(const real_t structure[48], const real_t wrench[6],
     real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
@@ -119,7 +119,7 @@ tb_status tb_distribute_tension_scale(const real_t structure[48], const real_t w
  *  Error of delivered: double at most 1.0e-13 N; float at most 1.3e-02 N.
  *  Error of kkt_residual: double at most 4.3e-14 N; float at most 1.5e-05 N.
  *  At most 400 steps.
- *  Cost, all branches and steps: 305648 add, 283119 mul, 8454 div, 2997 sqrt, 31031 compare,
+ *  Cost, all branches and steps: 306488 add, 282999 mul, 8454 div, 2997 sqrt, 31151 compare,
  *    289124 select. */
 tb_status tb_distribute_tension_closest(const real_t structure[48], const real_t wrench[6],
     real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine 12bbec781517419a, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine af29d27ab4fd0e2d, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 75a29e096ff13e9f, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine a4db7d66ef143df2, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon_fixed_diagonal"
-#define TB_MACHINE_HASH "75a29e096ff13e9f"
+#define TB_MACHINE_HASH "a4db7d66ef143df2"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

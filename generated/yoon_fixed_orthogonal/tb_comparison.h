@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine ca9df2bf8a0bd108, generator 0.1.1, casadi 3.8.2. Do not edit. */
+ * Machine 7eafe16faeea0d77, generator 0.1.2, casadi 3.8.2. Do not edit. */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 

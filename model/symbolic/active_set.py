@@ -33,13 +33,14 @@ from model.symbolic.scalar import (
     clamp,
     largest,
     smallest,
+    total,
     where,
 )
 
 #: Bounds that are missed by less are met: EPSILON of the tensions over the smallest pivot of S_F.
 SLACK = 8.0
-#: Lengths of projected unit vectors below this many EPSILON are rounding.
-PARALLEL = 256.0
+#: Lengths of projected unit vectors below this many EPSILON over the smallest pivot are rounding.
+PARALLEL = 64.0
 #: Farther than any step.
 FAR = 1e30
 #: The number of no cable.
@@ -85,6 +86,11 @@ class Face:
     def smallest_pivot(self) -> Scalar:
         """How far the free cables are from losing rank, 1 at most."""
         return ca.fmin(1, smallest(self.factors.pivots()))
+
+    @property
+    def blur(self) -> Scalar:
+        """Lengths of projected unit vectors below this are rounding."""
+        return PARALLEL * EPSILON / self.smallest_pivot
 
     def pulled(self, multiplier: Vector) -> Vector:
         """S' y."""
@@ -156,9 +162,11 @@ def move(now: Face, moving: Scalar, push: Scalar) -> Move:
     below = tension < (problem.low + problem.high) / 2
     direction = where(below, 1, -1)
     room = ca.fmax(where(below, problem.low - tension, tension - problem.high), 0)
-    whole = where(share > (PARALLEL * EPSILON) ** 2, room / share, FAR)
+    # No more free cables than dimensions: they determine each other, and any share is rounding.
+    movable = ca.logic_and(total(now.free) > len(problem.wrench), share > now.blur**2)
+    whole = where(movable, room / share, FAR)
     limits = [
-        freeing(side, level[i] - push * pull[i] - held, direction * pull[i])
+        freeing(side, level[i] - push * pull[i] - held, direction * pull[i], now.blur)
         for i, (side, held) in enumerate(zip(now.side, now.held, strict=True))
     ]
     nearest = smallest(limits)
@@ -169,10 +177,10 @@ def move(now: Face, moving: Scalar, push: Scalar) -> Move:
     return Move(chosen.cable, direction, whole <= nearest, freed, push + direction * nearest, done)
 
 
-def freeing(side: Scalar, margin: Scalar, rate: Scalar) -> Scalar:
+def freeing(side: Scalar, margin: Scalar, rate: Scalar, blur: Scalar) -> Scalar:
     """The step after which the multiplier of a held cable has the wrong sign."""
     closing = side * rate
-    return where(closing > PARALLEL * EPSILON, ca.fmax(side * margin, 0) / closing, FAR)
+    return where(closing > blur, ca.fmax(side * margin, 0) / closing, FAR)
 
 
 @dataclass(frozen=True)

@@ -273,3 +273,15 @@ def test_a_wrench_beyond_the_feasible_ones_is_never_solved(case: Case, precision
     wrench = about(machine, corner, np.full(COUNT, 1.01))
     answer = asked(libraries[precision], "least_norm_tension", structure, wrench)
     assert np.all(answer["status"] >= Status.SINGULAR)
+
+
+@pytest.mark.parametrize("precision", REALS)
+def test_without_an_upper_bound_the_loop_ends_where_no_tensions_exert_the_wrench(
+    case: Case, precision: str
+) -> None:
+    """Of cables that alone pull in some direction none is held, or the loop goes round for ever."""
+    machine, _, libraries = case
+    known = known_problems(machine, COUNT, 17)
+    wrench = about(machine, known, np.full(COUNT, 4.0))
+    answer = asked(libraries[precision], "distribute_tension_paper", known.structure, wrench)
+    assert set(answer["status"]) <= {Status.OK, Status.INFEASIBLE, Status.SINGULAR}
