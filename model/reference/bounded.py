@@ -18,10 +18,8 @@ from model.reference.linear import factorise, pseudo_solution
 
 ROUNDINGS = 32  # what a sum over the cables may be off by, in units in its last place
 # A search that takes longer than this a cable releases the first of several candidates, which
-# cannot cycle; after twice that, S is so nearly singular that rounding makes candidates, and at
-# every step twice as much counts as rounding, for at most so many steps.
+# cannot cycle; twice that is the end.
 STEPS_PER_CABLE = 8
-MOST_DOUBLINGS = 24
 
 Mask = npt.NDArray[np.bool_]
 
@@ -133,6 +131,8 @@ class _Search:
         start = (lower + upper) / 2 if np.isfinite(upper) else lower
         self.tension = np.full((len(wrench), structure.shape[-1]), start, np.longdouble)
         self.free = np.ones(self.tension.shape, bool)
+        self.refused = np.zeros(self.tension.shape, bool)
+        self.released = np.full(len(wrench), -1)
         self.finite = np.isfinite(np.sum(structure, axis=(-2, -1)) + np.sum(wrench, axis=-1))
         self.tension[~self.finite] = np.nan
 
@@ -143,15 +143,15 @@ class _Search:
         """
         rows = np.flatnonzero(self.finite)
         usual = STEPS_PER_CABLE * self.tension.shape[-1]
-        for count in range(2 * usual + MOST_DOUBLINGS):
+        for count in range(2 * usual):
             through = self._move(rows, objective.step(self._state(rows)))
             arrived = rows[through]
             slope, rounding = objective.slope(self._state(arrived))
-            rounding *= 2.0 ** max(0, count - 2 * usual)
             wanted = self._to_release(arrived, slope, rounding)
             pick = np.argmax(wanted * np.abs(slope) if count < usual else wanted, axis=-1)
             waiting = np.any(wanted, axis=-1)
             self.free[arrived[waiting], pick[waiting]] = True
+            self.released[arrived[waiting]] = pick[waiting]
             rows = np.concatenate([rows[~through], arrived[waiting]])
             if not rows.size:
                 return
@@ -174,10 +174,21 @@ class _Search:
         self.tension[rows[blocked], first[blocked]] = bound[blocked, first[blocked]]
         self.free[rows[blocked], first[blocked]] = False
         self.tension[rows] = np.clip(self.tension[rows], self.lower, self.upper)
+        stays = np.all(np.abs(self.tension[rows] - tension) <= noise[:, None], axis=-1)
+        self._refuse(rows, stays, first)
         return np.asarray(fraction[:, 0] >= 1)
+
+    def _refuse(self, rows: npt.NDArray[np.intp], stays: Mask, held: npt.NDArray[np.intp]) -> None:
+        """A cable that is held again before anything has moved was released by rounding alone.
+
+        It is not released again until something moves (Lawson and Hanson 1974, chapter 23).
+        """
+        back = stays & (held == self.released[rows]) & ~self.free[rows, held]
+        self.refused[rows[~stays]] = False
+        self.refused[rows[back], held[back]] = True
 
     def _to_release(self, rows: npt.NDArray[np.intp], slope: Array, rounding: Array) -> Mask:
         tension, held = self.tension[rows], ~self.free[rows]
         rise = (tension <= self.lower) & (slope > rounding)
         fall = (tension >= self.upper) & (slope < -rounding)
-        return np.asarray(held & (rise | fall))
+        return np.asarray(held & ~self.refused[rows] & (rise | fall))

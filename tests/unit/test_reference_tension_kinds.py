@@ -152,6 +152,27 @@ def test_the_closest_wrench_is_that_of_bounded_least_squares(d: int, cables: int
         assert np.allclose(s @ t.astype(float), s @ nearest.x, rtol=0, atol=1e-6)
 
 
+def test_the_search_ends_where_two_cables_are_opposite_but_for_rounding() -> None:
+    """Together they pull a hair sideways, where nothing acts against two other cables."""
+    rng = np.random.default_rng(6)
+    turn, arm = rng.uniform(0.05, 0.4, (2, 200)), rng.uniform(0.7, 0.95, 200)
+    hair, one = rng.uniform(-2e-17, 2e-17, (2, 200)), np.ones(200)
+    columns = [
+        [np.sin(turn[0]), -np.cos(turn[0]), arm],
+        [hair[0], -one, -0.8 * one],
+        [one, 0 * one, 0 * one],
+        [hair[1], one, 0.8 * one],
+        [np.sin(turn[1]), np.cos(turn[1]), -arm],
+        [one, 0 * one, 0 * one],
+    ]
+    structure = np.moveaxis(np.array(columns, np.longdouble), -1, 0).swapaxes(-1, -2)
+    found, solved = bounded.least_norm(structure, np.zeros((200, 3), np.longdouble), 3.0, 10.0)
+    assert not solved.any()
+    for s, t in zip(structure.astype(float), found.astype(float), strict=True):
+        nearest = lsq_linear(s, np.zeros(3), (3.0, 10.0), method="bvls", tol=1e-14)
+        assert np.allclose(s @ t, s @ nearest.x, rtol=0, atol=1e-6)
+
+
 @sizes
 def test_no_wrench_of_the_set_is_further_along_the_error_than_the_closest(
     d: int, cables: int
