@@ -106,29 +106,29 @@ class Printer:
     def statements(self, block: Block, indent: str) -> list[str]:
         """Lines of one block."""
         lines: list[str] = []
+        near = self.read_near(block)
         for item in block:
             if isinstance(item, Branch):
                 lines += self.branch(item, indent)
-            elif not self.inlined(item, block):
+            elif not self.inlined(item, near):
                 lines += self.definition(item, indent)
         return lines
 
-    def inlined(self, number: int, block: Block) -> bool:
+    def inlined(self, number: int, near: set[int]) -> bool:
         """Whether the node is written where it is used instead of getting a name."""
         text = self.expression(self.nodes[number])
         single = self.uses[number] == 1 and number not in self.names
-        user_is_near = any(number in self.nodes[user].args for user in self.near(block))
-        if single and user_is_near and len(text.code) <= LINE_WIDTH // 2:
+        if single and number in near and len(text.code) <= LINE_WIDTH // 2:
             self.texts[number] = text
             return True
         return False
 
-    def near(self, block: Block) -> list[int]:
-        """Nodes printed at the level of a block: its own, and the choices it gives values to."""
+    def read_near(self, block: Block) -> set[int]:
+        """What is read by the nodes of a block, and by the choices that it gives values to."""
         level = list(self.arms.get(id(block), []))
         for item in block:
             level += item.selects if isinstance(item, Branch) else [item]
-        return level
+        return {read for user in level for read in self.nodes[user].args}
 
     def definition(self, number: int, indent: str) -> list[str]:
         """A named intermediate result."""
