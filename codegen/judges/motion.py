@@ -27,7 +27,9 @@ from model.reference.arrays import norm
 from model.symbolic.forward_kinematics import (
     FITTED_ROUNDINGS,
     FITTED_SHARE,
+    FLATTEST,
     MOST_STEPS,
+    SPREAD_ROUNDINGS,
     needs_guess,
 )
 from model.symbolic.function import Status
@@ -200,7 +202,7 @@ def closed(p: Problem) -> Fixed:
     points = kinematics.base_points(p.machine, p["rails"])
     arms = points - np.mean(points, axis=-2, keepdims=True)
     size, spread = np.sum(arms**2, axis=(-2, -1)), least_pivot(arms)
-    limit = (1e-4 * extent(p.machine)) ** 2
+    limit = np.maximum((FLATTEST * extent(p.machine)) ** 2, SPREAD_ROUNDINGS * p.epsilon * size)
     collinear = below(spread, limit, ROUNDINGS * p.epsilon * size)
     vectors = points - found.pose[:, None, :]
     distance = np.maximum(norm(vectors), CONTACT_DISTANCE / 2)
@@ -209,15 +211,20 @@ def closed(p: Problem) -> Fixed:
     reach = np.sqrt(size) + np.max(p["lengths"], axis=-1)
     least = np.minimum(spread, smallest_singular_value(arms) ** 2)
     closed_form = ROUNDINGS * p.epsilon * reach * size / np.maximum(least, limit / 2)
-    at_pulley = below(np.min(norm(vectors), axis=-1), CONTACT_DISTANCE, closed_form)
     nearest = np.min(distance, axis=-1)
     pivot = np.minimum(pivot, squared_least(p, rows))
     second_order = closed_form**2 / np.minimum(nearest, 1) / pivot
     slack = np.minimum(closed_form, second_order + ROUNDINGS * p.epsilon * reach / pivot)
+    at_pulley = at_a_pulley(np.min(norm(vectors), axis=-1), closed_form, slack)
     nowhere = np.any(np.isnan(found.pose), axis=-1)
     lost = union(collinear, at_pulley, (nowhere, nowhere))
     never = ~always(p.count)
     return Fixed(found, np.asarray(slack), nearest, rows, lost, never, never)
+
+
+def at_a_pulley(distance: Wide, start: Wide, slack: Wide) -> tuple[Bools, Bools]:
+    """Where the platform must and may count as at a pulley, by its start or by its pose."""
+    return distance < CONTACT_DISTANCE - slack, distance < CONTACT_DISTANCE + start
 
 
 def searched(p: Problem) -> Fixed:

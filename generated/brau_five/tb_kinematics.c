@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine 284fed07d9d997e6, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine bd62187f1bb9bbdc, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[10])
@@ -388,28 +388,38 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const real_t t48 = pose_0 * pose_0;
     const real_t t49 = TB_C(1.0) - pose_1;
     const real_t t50 = t49 * t49;
+    const real_t t51 = TB_SQRT(t48 + t50);
     /* what the lengths disagree by: slack, an encoder fault */
-    const real_t misfit_0 = lengths[0] - TB_SQRT(t48 + t50);
-    const real_t t51 = pose_1 * pose_1;
-    const real_t misfit_1 = lengths[1] - TB_SQRT(t48 + t51);
-    const real_t t52 = TB_C(1.0) - pose_0;
-    const real_t t53 = t52 * t52;
-    const real_t misfit_2 = lengths[2] - TB_SQRT(t51 + t53);
-    const real_t t54 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
-    const real_t misfit_3 = lengths[3] - TB_SQRT(t50 + t53);
-    const real_t t55 = TB_C(0.5) - pose_0;
-    const real_t misfit_4 = lengths[4] - TB_SQRT(t50 + t55 * t55);
-    const real_t residual_0 = TB_SQRT(t54 + misfit_3 * misfit_3 + misfit_4 * misfit_4);
-    const bool t56 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t57 = t56 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t58 = !(t57 && TB_C(0.0001) < distance_4);
-    if (TB_C(0.0)) {
+    const real_t misfit_0 = lengths[0] - t51;
+    const real_t t52 = pose_1 * pose_1;
+    const real_t t53 = TB_SQRT(t48 + t52);
+    const real_t misfit_1 = lengths[1] - t53;
+    const real_t t54 = TB_C(1.0) - pose_0;
+    const real_t t55 = t54 * t54;
+    const real_t t56 = TB_SQRT(t52 + t55);
+    const real_t misfit_2 = lengths[2] - t56;
+    const real_t t57 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t58 = TB_SQRT(t50 + t55);
+    const real_t misfit_3 = lengths[3] - t58;
+    const real_t t59 = TB_C(0.5) - pose_0;
+    const real_t t60 = TB_SQRT(t50 + t59 * t59);
+    const real_t misfit_4 = lengths[4] - t60;
+    const real_t residual_0 = TB_SQRT(t57 + misfit_3 * misfit_3 + misfit_4 * misfit_4);
+    const real_t t61 = tb_max(TB_C(1e-08), TB_C(140.8) * TB_EPSILON);
+    const bool t62 = t61 < TB_C(1.0) && t61 < TB_C(1.2000000000000002);
+    const bool t63 = !t62;
+    const bool t64 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t65 = t64 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t66 = t65 && TB_C(0.0001) < distance_4 && TB_C(0.0001) < t51;
+    const bool t67 = t66 && TB_C(0.0001) < t53 && TB_C(0.0001) < t56 && TB_C(0.0001) < t58;
+    const bool t68 = !(t67 && TB_C(0.0001) < t60);
+    if (t63) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t58) {
+    if (t68) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -566,31 +576,16 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
     const real_t t83 = t82 - t73 * (t77 * t77);
     const real_t velocity_1 = t80 / t83;
     const real_t velocity_0 = -(t71 * t74 + t77 * velocity_1);
-    const bool t84 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t85 = t84 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t86 = !(t85 && TB_C(0.0001) < distance_4);
-    const bool t87 = TB_C(0.0001) < t51 && TB_C(0.0001) < t53 && TB_C(0.0001) < t56;
-    const bool t88 = !(t87 && TB_C(0.0001) < t58 && TB_C(0.0001) < t60);
-    const real_t t89 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t90 = !(t89 < t73 && t89 < t83);
-    if (TB_C(0.0)) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
+    const real_t t84 = tb_max(TB_C(1e-08), TB_C(140.8) * TB_EPSILON);
+    const bool t85 = t84 < TB_C(1.0) && t84 < TB_C(1.2000000000000002);
+    const bool t86 = !t85;
+    const bool t87 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t88 = t87 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t89 = t88 && TB_C(0.0001) < distance_4 && TB_C(0.0001) < t51;
+    const bool t90 = t89 && TB_C(0.0001) < t53 && TB_C(0.0001) < t56 && TB_C(0.0001) < t58;
+    const bool t91 = !(t90 && TB_C(0.0001) < t60);
+    const real_t t92 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const bool t93 = !(t92 < t73 && t92 < t83);
     if (t86) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
@@ -609,7 +604,7 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t88) {
+    if (t91) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -627,7 +622,7 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t90) {
+    if (t93) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine 284fed07d9d997e6, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine bd62187f1bb9bbdc, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -70,11 +70,13 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Domain: lengths in [0, 8] m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 0.0e+00 m; float at most 3.5e-06 m (worst found 8.8e-07 at
- *    lengths (0.8449, 0.1556, 0.8762, 1.414, 1.118)).
- *  Error of residual: double at most 0.0e+00 m; float at most 1.6e-06 m (worst found 4.1e-07 at
- *    lengths (0.8449, 0.1556, 0.8762, 1.414, 1.118)).
- *  Cost, all branches: 77 add, 74 mul, 7 div, 11 sqrt, 5 compare. */
+ *  Error of pose: double at most 2.4e-14 m (worst found 6.1e-15 at lengths (0.03492, 0.8696,
+ *    1.414, 0.8715, 0.359)); float at most 3.5e-06 m (worst found 8.8e-07 at lengths (0.8449,
+ *    0.1556, 0.8762, 1.414, 1.118)).
+ *  Error of residual: double at most 5.4e-15 m (worst found 1.3e-15 at lengths (0.03492,
+ *    0.8696, 1.414, 0.8715, 0.359)); float at most 1.6e-06 m (worst found 4.1e-07 at lengths
+ *    (0.8449, 0.1556, 0.8762, 1.414, 1.118)).
+ *  Cost, all branches: 77 add, 75 mul, 7 div, 11 sqrt, 12 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -86,13 +88,12 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
  *  Domain: length_rates with a sum of magnitudes of at most 500 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of pose: double at most 0.0e+00 m; float at most 1.4e-05 m.
- *  Error of residual: double at most 0.0e+00 m; float at most 3.3e-06 m.
- *  Error of structure: double at most 0.0e+00; float at most 8.1e-03.
- *  Error of velocity: double at most 0.0e+00 m/s; float at most 8.8e-04 m/s.
- *  Cost, all branches: 105 add, 116 mul, 14 div, 11 sqrt, 12 compare, 1 select. */
+ *  Error of pose: double at most 3.3e-14 m; float at most 1.4e-05 m.
+ *  Error of residual: double at most 1.1e-14 m; float at most 3.3e-06 m.
+ *  Error of structure: double at most 2.8e-12; float at most 8.1e-03.
+ *  Error of velocity: double at most 1.1e-12 m/s; float at most 8.8e-04 m/s.
+ *  Cost, all branches: 105 add, 117 mul, 14 div, 11 sqrt, 14 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
     length_rates[5], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[10], real_t velocity[2]);

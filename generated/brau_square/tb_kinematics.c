@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 1dc56f2340e97991, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 905662c773bee6d1, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -335,27 +335,34 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t pose_1 = start_1 + t39;
     const real_t t40 = pose_0 * pose_0;
     const real_t t41 = pose_1 * pose_1;
+    const real_t t42 = TB_SQRT(t40 + t41);
     /* what the lengths disagree by: slack, an encoder fault */
-    const real_t misfit_0 = lengths[0] - TB_SQRT(t40 + t41);
-    const real_t t42 = TB_C(1.0) - pose_0;
-    const real_t t43 = t42 * t42;
-    const real_t misfit_1 = lengths[1] - TB_SQRT(t41 + t43);
-    const real_t t44 = TB_C(1.0) - pose_1;
-    const real_t t45 = t44 * t44;
-    const real_t misfit_2 = lengths[2] - TB_SQRT(t43 + t45);
-    const real_t t46 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
-    const real_t misfit_3 = lengths[3] - TB_SQRT(t40 + t45);
-    const real_t residual_0 = TB_SQRT(t46 + misfit_3 * misfit_3);
-    const bool t47 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t48 = t47 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t49 = !t48;
-    if (TB_C(0.0)) {
+    const real_t misfit_0 = lengths[0] - t42;
+    const real_t t43 = TB_C(1.0) - pose_0;
+    const real_t t44 = t43 * t43;
+    const real_t t45 = TB_SQRT(t41 + t44);
+    const real_t misfit_1 = lengths[1] - t45;
+    const real_t t46 = TB_C(1.0) - pose_1;
+    const real_t t47 = t46 * t46;
+    const real_t t48 = TB_SQRT(t44 + t47);
+    const real_t misfit_2 = lengths[2] - t48;
+    const real_t t49 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t50 = TB_SQRT(t40 + t47);
+    const real_t misfit_3 = lengths[3] - t50;
+    const real_t residual_0 = TB_SQRT(t49 + misfit_3 * misfit_3);
+    const bool t51 = tb_max(TB_C(1e-08), TB_C(128.0) * TB_EPSILON) < TB_C(1.0);
+    const bool t52 = !t51;
+    const bool t53 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t54 = t53 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t55 = t54 && TB_C(0.0001) < t42 && TB_C(0.0001) < t45 && TB_C(0.0001) < t48;
+    const bool t56 = !(t55 && TB_C(0.0001) < t50);
+    if (t52) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t49) {
+    if (t56) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -491,14 +498,15 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t t69 = t68 + structure_7 * structure_7 - t62 * (t65 * t65);
     const real_t velocity_1 = t67 / t69;
     const real_t velocity_0 = -(t60 * t63 + t65 * velocity_1);
-    const bool t70 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t71 = t70 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t72 = !t71;
-    const bool t73 = TB_C(0.0001) < t42 && TB_C(0.0001) < t45 && TB_C(0.0001) < t48;
-    const bool t74 = !(t73 && TB_C(0.0001) < t50);
-    const real_t t75 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t76 = !(t75 < t62 && t75 < t69);
-    if (TB_C(0.0)) {
+    const bool t70 = tb_max(TB_C(1e-08), TB_C(128.0) * TB_EPSILON) < TB_C(1.0);
+    const bool t71 = !t70;
+    const bool t72 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t73 = t72 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t74 = t73 && TB_C(0.0001) < t42 && TB_C(0.0001) < t45 && TB_C(0.0001) < t48;
+    const bool t75 = !(t74 && TB_C(0.0001) < t50);
+    const real_t t76 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const bool t77 = !(t76 < t62 && t76 < t69);
+    if (t71) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -514,7 +522,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t72) {
+    if (t75) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -530,23 +538,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t74) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t76) {
+    if (t77) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);

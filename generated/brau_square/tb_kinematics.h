@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 1dc56f2340e97991, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 905662c773bee6d1, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -69,11 +69,13 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Domain: lengths in [0, 8] m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 0.0e+00 m; float at most 1.7e-05 m (worst found 4.2e-06 at
- *    lengths (0.8563, 0.01759, 0.855, 1.414)).
- *  Error of residual: double at most 0.0e+00 m; float at most 1.7e-06 m (worst found 4.2e-07 at
- *    lengths (0.8521, 0.03354, 0.8519, 1.414)).
- *  Cost, all branches: 62 add, 59 mul, 6 div, 9 sqrt, 4 compare. */
+ *  Error of pose: double at most 3.0e-15 m (worst found 7.5e-16 at lengths (0.9111, 1.414,
+ *    0.9061, 0.08599)); float at most 1.7e-05 m (worst found 4.2e-06 at lengths (0.8563,
+ *    0.01759, 0.855, 1.414)).
+ *  Error of residual: double at most 1.4e-15 m (worst found 3.5e-16 at lengths (0.515, 1.009,
+ *    1.009, 0.515)); float at most 1.7e-06 m (worst found 4.2e-07 at lengths (0.8521, 0.03354,
+ *    0.8519, 1.414)).
+ *  Cost, all branches: 62 add, 60 mul, 6 div, 9 sqrt, 9 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -85,19 +87,23 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of pose: double at most 0.0e+00 m; float at most 1.6e-05 m (worst found 3.9e-06 at
- *    lengths (1.414, 0.9303, 0.004505, 0.93), length_rates (-0.8654, -0.9058, -0.3793,
- *    -0.0183)).
- *  Error of residual: double at most 0.0e+00 m; float at most 2.2e-06 m (worst found 5.5e-07 at
- *    lengths (1.039, 1.414, 1.038, 0.01624), length_rates (-0.5406, -0.4612, -0.9954, 1)).
- *  Error of structure: double at most 0.0e+00; float at most 1.6e-03 (worst found 4.0e-04 at
- *    lengths (1, 0.01729, 1, 1.414), length_rates (-0.1954, -0.4985, 1, -0.6662)).
- *  Error of velocity: double at most 0.0e+00 m/s; float at most 6.1e-04 m/s (worst found
- *    1.5e-04 at lengths (0.9995, 1.414, 1, 0.0001251), length_rates (-0.4397, -0.5525, 0.8911,
- *    -0.6911)).
- *  Cost, all branches: 85 add, 94 mul, 12 div, 9 sqrt, 10 compare, 1 select. */
+ *  Error of pose: double at most 2.3e-14 m (worst found 5.8e-15 at lengths (0.7976, 0.04714,
+ *    0.795, 1.414), length_rates (-0.9748, 0.1147, 0.08045, -0.5321)); float at most 1.6e-05 m
+ *    (worst found 3.9e-06 at lengths (1.414, 0.9303, 0.004505, 0.93), length_rates (-0.8654,
+ *    -0.9058, -0.3793, -0.0183)).
+ *  Error of residual: double at most 4.7e-15 m (worst found 1.2e-15 at lengths (1, 1.414, 1,
+ *    0.01537), length_rates (-0.02117, -0.541, 0.8906, -0.992)); float at most 2.2e-06 m (worst
+ *    found 5.5e-07 at lengths (1.039, 1.414, 1.038, 0.01624), length_rates (-0.5406, -0.4612,
+ *    -0.9954, 1)).
+ *  Error of structure: double at most 3.6e-12 (worst found 9.0e-13 at lengths (0.9996, 0, 1,
+ *    1.414), length_rates (0.7641, 0.7973, 0.4052, 0.8359)); float at most 1.6e-03 (worst found
+ *    4.0e-04 at lengths (1, 0.01729, 1, 1.414), length_rates (-0.1954, -0.4985, 1, -0.6662)).
+ *  Error of velocity: double at most 2.0e-12 m/s (worst found 5.1e-13 at lengths (0.9996,
+ *    1.414, 1, 0), length_rates (-0.04723, -0.6097, 0.769, -0.9882)); float at most 6.1e-04 m/s
+ *    (worst found 1.5e-04 at lengths (0.9995, 1.414, 1, 0.0001251), length_rates (-0.4397,
+ *    -0.5525, 0.8911, -0.6911)).
+ *  Cost, all branches: 85 add, 95 mul, 12 div, 9 sqrt, 11 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 1dc56f2340e97991, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 905662c773bee6d1, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_square"
-#define TB_MACHINE_HASH "1dc56f2340e97991"
+#define TB_MACHINE_HASH "905662c773bee6d1"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine dd2fab897bffbf7a, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 1a3fbe4b5ba12671, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[12])
@@ -430,30 +430,38 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t pose_2 = start_2 + t55;
     const real_t t57 = pose_1 * pose_1;
     const real_t t58 = pose_2 * pose_2;
+    const real_t t59 = TB_SQRT(pose_0 * pose_0 + t57 + t58);
     /* what the lengths disagree by: slack, an encoder fault */
-    const real_t misfit_0 = lengths[0] - TB_SQRT(pose_0 * pose_0 + t57 + t58);
-    const real_t t59 = TB_C(1.0) - pose_0;
-    const real_t misfit_1 = lengths[1] - TB_SQRT(t58 + (t57 + t59 * t59));
-    const real_t t60 = TB_C(0.5) - pose_0;
-    const real_t t61 = t60 * t60;
-    const real_t t62 = TB_C(0.8660254037844386) - pose_1;
-    const real_t misfit_2 = lengths[2] - TB_SQRT(t58 + (t61 + t62 * t62));
-    const real_t t63 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
-    const real_t t64 = TB_C(0.2886751345948129) - pose_1;
-    const real_t t65 = TB_C(0.816496580927726) - pose_2;
-    const real_t misfit_3 = lengths[3] - TB_SQRT(t61 + t64 * t64 + t65 * t65);
-    const real_t residual_0 = TB_SQRT(t63 + misfit_3 * misfit_3);
-    const bool t66 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t67 = t66 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t68 = !t67;
-    if (TB_C(0.0)) {
+    const real_t misfit_0 = lengths[0] - t59;
+    const real_t t60 = TB_C(1.0) - pose_0;
+    const real_t t61 = TB_SQRT(t58 + (t57 + t60 * t60));
+    const real_t misfit_1 = lengths[1] - t61;
+    const real_t t62 = TB_C(0.5) - pose_0;
+    const real_t t63 = t62 * t62;
+    const real_t t64 = TB_C(0.8660254037844386) - pose_1;
+    const real_t t65 = TB_SQRT(t58 + (t63 + t64 * t64));
+    const real_t misfit_2 = lengths[2] - t65;
+    const real_t t66 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t67 = TB_C(0.2886751345948129) - pose_1;
+    const real_t t68 = TB_C(0.816496580927726) - pose_2;
+    const real_t t69 = TB_SQRT(t63 + t67 * t67 + t68 * t68);
+    const real_t misfit_3 = lengths[3] - t69;
+    const real_t residual_0 = TB_SQRT(t66 + misfit_3 * misfit_3);
+    const real_t t70 = tb_max(TB_C(1e-08), TB_C(96.0) * TB_EPSILON);
+    const bool t71 = t70 < TB_C(0.5) && t70 < TB_C(0.49999999999999994);
+    const bool t72 = !t71;
+    const bool t73 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t74 = t73 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t75 = t74 && TB_C(0.0001) < t59 && TB_C(0.0001) < t61 && TB_C(0.0001) < t65;
+    const bool t76 = !(t75 && TB_C(0.0001) < t69);
+    if (t72) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t68) {
+    if (t76) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
@@ -635,35 +643,15 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t velocity_2 = (t97 - t88 * t95) / t99;
     const real_t velocity_1 = t88 * t91 - t95 * velocity_2;
     const real_t velocity_0 = -(t81 * t84 + t86 * velocity_1 + t94 * velocity_2);
-    const bool t100 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t101 = t100 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const real_t t100 = tb_max(TB_C(1e-08), TB_C(96.0) * TB_EPSILON);
+    const bool t101 = t100 < TB_C(0.5) && t100 < TB_C(0.49999999999999994);
     const bool t102 = !t101;
-    const bool t103 = TB_C(0.0001) < t59 && TB_C(0.0001) < t61 && TB_C(0.0001) < t65;
-    const bool t104 = !(t103 && TB_C(0.0001) < t69);
-    const real_t t105 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t106 = !(t105 < t83 && t105 < t90 && t105 < t99);
-    if (TB_C(0.0)) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
+    const bool t103 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t104 = t103 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t105 = t104 && TB_C(0.0001) < t59 && TB_C(0.0001) < t61 && TB_C(0.0001) < t65;
+    const bool t106 = !(t105 && TB_C(0.0001) < t69);
+    const real_t t107 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const bool t108 = !(t107 < t83 && t107 < t90 && t107 < t99);
     if (t102) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
@@ -686,7 +674,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[2] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t104) {
+    if (t106) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
@@ -708,7 +696,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[2] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t106) {
+    if (t108) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine dd2fab897bffbf7a, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 1a3fbe4b5ba12671, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -69,11 +69,13 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1], const re
  *  Domain: lengths in [0, 10.7301] m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one plane.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 0.0e+00 m; float at most 2.4e-06 m (worst found 6.1e-07 at
- *    lengths (1.072, 1.048, 1.063, 0.3615)).
- *  Error of residual: double at most 0.0e+00 m; float at most 1.2e-06 m (worst found 3.1e-07 at
- *    lengths (0.1111, 1.555, 0.9677, 0.6026)).
- *  Cost, all branches: 99 add, 107 mul, 7 div, 9 sqrt, 4 compare. */
+ *  Error of pose: double at most 3.5e-15 m (worst found 8.8e-16 at lengths (1.025, 1.014,
+ *    1.013, 0.3423)); float at most 2.4e-06 m (worst found 6.1e-07 at lengths (1.072, 1.048,
+ *    1.063, 0.3615)).
+ *  Error of residual: double at most 1.5e-15 m (worst found 3.9e-16 at lengths (1.015, 1.028,
+ *    1.015, 0.3433)); float at most 1.2e-06 m (worst found 3.1e-07 at lengths (0.1111, 1.555,
+ *    0.9677, 0.6026)).
+ *  Cost, all branches: 99 add, 108 mul, 7 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[3],
     real_t residual[1]);
 
@@ -85,18 +87,24 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one plane.
  *  TB_SINGULAR: the platform is at a pulley.
- *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
- *  Error of pose: double at most 0.0e+00 m; float at most 3.3e-06 m (worst found 8.2e-07 at
- *    lengths (1, 1, 0.01001, 1), length_rates (0.5085, -0.267, 0.3563, -0.01283)).
- *  Error of residual: double at most 0.0e+00 m; float at most 8.0e-07 m (worst found 2.0e-07 at
- *    lengths (0.2578, 1.033, 1.033, 0.8034), length_rates (0.5461, -0.4127, -0.6004, 0.9949)).
- *  Error of structure: double at most 0.0e+00; float at most 4.5e-04 (worst found 1.1e-04 at
- *    lengths (1, 1, 0.01001, 1), length_rates (0.5085, -0.267, 0.3563, -0.01283)).
- *  Error of velocity: double at most 0.0e+00 m/s; float at most 2.9e-04 m/s (worst found
- *    7.4e-05 at lengths (0.9974, 0.998, 0.004063, 0.9975), length_rates (-0.3891, -0.1283,
- *    -0.6824, -0.913)).
- *  Cost, all branches: 143 add, 175 mul, 14 div, 9 sqrt, 11 compare, 1 select. */
+ *  Error of pose: double at most 1.0e-14 m (worst found 2.5e-15 at lengths (0.1066, 1.001,
+ *    1.001, 1.002), length_rates (-0.002875, 0.4373, 0.7438, -0.8159)); float at most 3.3e-06 m
+ *    (worst found 8.2e-07 at lengths (1, 1, 0.01001, 1), length_rates (0.5085, -0.267, 0.3563,
+ *    -0.01283)).
+ *  Error of residual: double at most 4.1e-15 m (worst found 1.0e-15 at lengths (0.1066, 1.001,
+ *    1.001, 1.002), length_rates (-0.002875, 0.4373, 0.7438, -0.8159)); float at most 8.0e-07 m
+ *    (worst found 2.0e-07 at lengths (0.2578, 1.033, 1.033, 0.8034), length_rates (0.5461,
+ *    -0.4127, -0.6004, 0.9949)).
+ *  Error of structure: double at most 1.3e-12 (worst found 3.2e-13 at lengths (1, 1, 0,
+ *    0.9987), length_rates (0.6404, 0.1316, 0.3674, 0.001074)); float at most 4.5e-04 (worst
+ *    found 1.1e-04 at lengths (1, 1, 0.01001, 1), length_rates (0.5085, -0.267, 0.3563,
+ *    -0.01283)).
+ *  Error of velocity: double at most 5.8e-13 m/s (worst found 1.4e-13 at lengths (1.002, 1.001,
+ *    0, 1), length_rates (-0.3319, -0.08538, -0.882, -0.8075)); float at most 2.9e-04 m/s
+ *    (worst found 7.4e-05 at lengths (0.9974, 0.998, 0.004063, 0.9975), length_rates (-0.3891,
+ *    -0.1283, -0.6824, -0.913)).
+ *  Cost, all branches: 143 add, 176 mul, 14 div, 9 sqrt, 13 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[3], real_t residual[1], real_t
     structure[12], real_t velocity[3]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine dd2fab897bffbf7a, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 1a3fbe4b5ba12671, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 9ee40013c06abf0c, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 926720b5785fdefe, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[6])
@@ -276,24 +276,30 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], 
     const real_t pose_0 = start_0 + (t20 * t22 - t26 * t28);
     const real_t pose_1 = start_1 + t28;
     const real_t t29 = pose_1 * pose_1;
+    const real_t t30 = TB_SQRT(pose_0 * pose_0 + t29);
     /* what the lengths disagree by: slack, an encoder fault */
-    const real_t misfit_0 = lengths[0] - TB_SQRT(pose_0 * pose_0 + t29);
-    const real_t t30 = TB_C(1.0) - pose_0;
-    const real_t misfit_1 = lengths[1] - TB_SQRT(t29 + t30 * t30);
-    const real_t t31 = TB_C(0.5) - pose_0;
-    const real_t t32 = TB_C(0.8660254037844386) - pose_1;
-    const real_t misfit_2 = lengths[2] - TB_SQRT(t31 * t31 + t32 * t32);
-    const real_t t33 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
-    const real_t residual_0 = TB_SQRT(t33);
-    const bool t34 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t35 = !(t34 && TB_C(0.0001) < distance_2);
-    if (TB_C(0.0)) {
+    const real_t misfit_0 = lengths[0] - t30;
+    const real_t t31 = TB_C(1.0) - pose_0;
+    const real_t t32 = TB_SQRT(t29 + t31 * t31);
+    const real_t misfit_1 = lengths[1] - t32;
+    const real_t t33 = TB_C(0.5) - pose_0;
+    const real_t t34 = TB_C(0.8660254037844386) - pose_1;
+    const real_t t35 = TB_SQRT(t33 * t33 + t34 * t34);
+    const real_t misfit_2 = lengths[2] - t35;
+    const real_t t36 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t residual_0 = TB_SQRT(t36);
+    const bool t37 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON) < TB_C(0.5);
+    const bool t38 = !t37;
+    const bool t39 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t40 = t39 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < t30;
+    const bool t41 = !(t40 && TB_C(0.0001) < t32 && TB_C(0.0001) < t35);
+    if (t38) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t35) {
+    if (t41) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -405,26 +411,13 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
     const real_t t51 = t50 - t45 * (t48 * t48);
     const real_t velocity_1 = (t44 * t48 - t49) / t51;
     const real_t velocity_0 = -(t44 * t46 + t48 * velocity_1);
-    const bool t52 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t53 = !(t52 && TB_C(0.0001) < distance_2);
-    const bool t54 = TB_C(0.0001) < t30 && TB_C(0.0001) < t32 && TB_C(0.0001) < t35;
-    const bool t55 = !t54;
-    const real_t t56 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t57 = !(t56 < t45 && t56 < t51);
-    if (TB_C(0.0)) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
+    const bool t52 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON) < TB_C(0.5);
+    const bool t53 = !t52;
+    const bool t54 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t55 = t54 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < t30;
+    const bool t56 = !(t55 && TB_C(0.0001) < t32 && TB_C(0.0001) < t35);
+    const real_t t57 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const bool t58 = !(t57 < t45 && t57 < t51);
     if (t53) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
@@ -439,7 +432,7 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t55) {
+    if (t56) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -453,7 +446,7 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t57) {
+    if (t58) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 9ee40013c06abf0c, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 926720b5785fdefe, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -69,11 +69,11 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Domain: lengths in [0, 7.4641] m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 0.0e+00 m; float at most 1.6e-06 m (worst found 4.0e-07 at
- *    lengths (1.058, 1.046, 0.3576)).
- *  Error of residual: double at most 0.0e+00 m; float at most 9.6e-07 m (worst found 2.4e-07 at
- *    lengths (1.058, 1.046, 0.3576)).
- *  Cost, all branches: 47 add, 49 mul, 5 div, 7 sqrt, 3 compare. */
+ *  Error of pose: double at most 2.1e-14 m (worst found 5.2e-15 at lengths (1.031, 1.033,
+ *    0.2772)); float at most 1.6e-06 m (worst found 4.0e-07 at lengths (1.058, 1.046, 0.3576)).
+ *  Error of residual: double at most 9.4e-15 m (worst found 2.3e-15 at lengths (1.031, 1.033,
+ *    0.2772)); float at most 9.6e-07 m (worst found 2.4e-07 at lengths (1.058, 1.046, 0.3576)).
+ *  Cost, all branches: 47 add, 50 mul, 5 div, 7 sqrt, 7 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -85,17 +85,20 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], 
  *  Domain: length_rates with a sum of magnitudes of at most 300 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of pose: double at most 0.0e+00 m; float at most 1.1e-05 m (worst found 2.8e-06 at
+ *  Error of pose: double at most 3.0e-14 m (worst found 7.4e-15 at lengths (0.01438, 1, 1),
+ *    length_rates (0.6873, -0.4938, -1)); float at most 1.1e-05 m (worst found 2.8e-06 at
  *    lengths (0.01488, 1, 1), length_rates (-0.9853, -0.3597, -0.6454)).
- *  Error of residual: double at most 0.0e+00 m; float at most 3.4e-06 m (worst found 8.5e-07 at
- *    lengths (1, 0.04057, 1), length_rates (0.9988, -0.5996, 0.3752)).
- *  Error of structure: double at most 0.0e+00; float at most 3.2e-03 (worst found 8.0e-04 at
- *    lengths (1, 1, 0), length_rates (0.02474, 0.7042, -1)).
- *  Error of velocity: double at most 0.0e+00 m/s; float at most 5.4e-03 m/s (worst found
- *    1.3e-03 at lengths (1, 1, 0), length_rates (0.02474, 0.7042, -1)).
- *  Cost, all branches: 64 add, 77 mul, 10 div, 7 sqrt, 8 compare, 1 select. */
+ *  Error of residual: double at most 5.4e-15 m (worst found 1.3e-15 at lengths (0.02828,
+ *    0.9999, 1), length_rates (-0.6684, -0.7129, -0.2188)); float at most 3.4e-06 m (worst
+ *    found 8.5e-07 at lengths (1, 0.04057, 1), length_rates (0.9988, -0.5996, 0.3752)).
+ *  Error of structure: double at most 5.1e-12 (worst found 1.3e-12 at lengths (0.01438, 1, 1),
+ *    length_rates (0.6873, -0.4938, -1)); float at most 3.2e-03 (worst found 8.0e-04 at lengths
+ *    (1, 1, 0), length_rates (0.02474, 0.7042, -1)).
+ *  Error of velocity: double at most 3.5e-12 m/s (worst found 8.7e-13 at lengths (0, 1, 1),
+ *    length_rates (0.7764, -0.9997, -0.1065)); float at most 5.4e-03 m/s (worst found 1.3e-03
+ *    at lengths (1, 1, 0), length_rates (0.02474, 0.7042, -1)).
+ *  Cost, all branches: 64 add, 78 mul, 10 div, 7 sqrt, 9 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
     length_rates[3], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[6], real_t velocity[2]);

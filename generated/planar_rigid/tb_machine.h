@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 0bad61dc7eb3715e, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 3c41650eca65ff9d, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "planar_rigid"
-#define TB_MACHINE_HASH "0bad61dc7eb3715e"
+#define TB_MACHINE_HASH "3c41650eca65ff9d"
 
 #define TB_DOF 3 /* degrees of freedom of the platform */
 #define TB_CABLES 6

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 0bad61dc7eb3715e, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 3c41650eca65ff9d, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 385c359828d489d5, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 691694777404258f, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 7d65e8d11742fba2, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 3b9391c0f19cd186, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon2023"
-#define TB_MACHINE_HASH "7d65e8d11742fba2"
+#define TB_MACHINE_HASH "3b9391c0f19cd186"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine a4db7d66ef143df2, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 8257c1d2b66f3cd6, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 

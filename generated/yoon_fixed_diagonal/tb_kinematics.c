@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine a4db7d66ef143df2, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 8257c1d2b66f3cd6, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -337,27 +337,35 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t pose_1 = start_1 + t41;
     const real_t t42 = pose_0 * pose_0;
     const real_t t43 = pose_1 * pose_1;
+    const real_t t44 = TB_SQRT(t42 + t43);
     /* what the lengths disagree by: slack, an encoder fault */
-    const real_t misfit_0 = lengths[0] - TB_SQRT(t42 + t43);
-    const real_t t44 = TB_C(0.506) - pose_0;
-    const real_t t45 = t44 * t44;
-    const real_t misfit_1 = lengths[1] - TB_SQRT(t43 + t45);
-    const real_t t46 = TB_C(0.284) - pose_1;
-    const real_t t47 = t46 * t46;
-    const real_t misfit_2 = lengths[2] - TB_SQRT(t45 + t47);
-    const real_t t48 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
-    const real_t misfit_3 = lengths[3] - TB_SQRT(t42 + t47);
-    const real_t residual_0 = TB_SQRT(t48 + misfit_3 * misfit_3);
-    const bool t49 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t50 = t49 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t51 = !t50;
-    if (TB_C(0.0)) {
+    const real_t misfit_0 = lengths[0] - t44;
+    const real_t t45 = TB_C(0.506) - pose_0;
+    const real_t t46 = t45 * t45;
+    const real_t t47 = TB_SQRT(t43 + t46);
+    const real_t misfit_1 = lengths[1] - t47;
+    const real_t t48 = TB_C(0.284) - pose_1;
+    const real_t t49 = t48 * t48;
+    const real_t t50 = TB_SQRT(t46 + t49);
+    const real_t misfit_2 = lengths[2] - t50;
+    const real_t t51 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t52 = TB_SQRT(t42 + t49);
+    const real_t misfit_3 = lengths[3] - t52;
+    const real_t residual_0 = TB_SQRT(t51 + misfit_3 * misfit_3);
+    const real_t t53 = tb_max(TB_C(2.5603600000000005e-09), TB_C(21.548288) * TB_EPSILON);
+    const bool t54 = t53 < TB_C(0.256036) && t53 < TB_C(0.08065599999999999);
+    const bool t55 = !t54;
+    const bool t56 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t57 = t56 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t58 = t57 && TB_C(0.0001) < t44 && TB_C(0.0001) < t47 && TB_C(0.0001) < t50;
+    const bool t59 = !(t58 && TB_C(0.0001) < t52);
+    if (t55) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t51) {
+    if (t59) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -495,29 +503,15 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t t71 = t70 + structure_7 * structure_7 - t64 * (t67 * t67);
     const real_t velocity_1 = t69 / t71;
     const real_t velocity_0 = -(t62 * t65 + t67 * velocity_1);
-    const bool t72 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t73 = t72 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const real_t t72 = tb_max(TB_C(2.5603600000000005e-09), TB_C(21.548288) * TB_EPSILON);
+    const bool t73 = t72 < TB_C(0.256036) && t72 < TB_C(0.08065599999999999);
     const bool t74 = !t73;
-    const bool t75 = TB_C(0.0001) < t44 && TB_C(0.0001) < t47 && TB_C(0.0001) < t50;
-    const bool t76 = !(t75 && TB_C(0.0001) < t52);
-    const real_t t77 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t78 = !(t77 < t64 && t77 < t71);
-    if (TB_C(0.0)) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
+    const bool t75 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t76 = t75 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t77 = t76 && TB_C(0.0001) < t44 && TB_C(0.0001) < t47 && TB_C(0.0001) < t50;
+    const bool t78 = !(t77 && TB_C(0.0001) < t52);
+    const real_t t79 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const bool t80 = !(t79 < t64 && t79 < t71);
     if (t74) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
@@ -534,7 +528,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t76) {
+    if (t78) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -550,7 +544,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t78) {
+    if (t80) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);

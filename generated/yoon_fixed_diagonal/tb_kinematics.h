@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine a4db7d66ef143df2, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 8257c1d2b66f3cd6, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -69,11 +69,13 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Domain: lengths in [0, 3.16] m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 0.0e+00 m; float at most 7.1e-06 m (worst found 1.8e-06 at
- *    lengths (0.2293, 0.5803, 0.4777, 6.133e-05)).
- *  Error of residual: double at most 0.0e+00 m; float at most 1.9e-06 m (worst found 4.8e-07 at
- *    lengths (0.2293, 0.5803, 0.4777, 6.133e-05)).
- *  Cost, all branches: 62 add, 63 mul, 6 div, 9 sqrt, 4 compare. */
+ *  Error of pose: double at most 5.6e-15 m (worst found 1.4e-15 at lengths (0.2418, 0.5803,
+ *    0.484, 0.004913)); float at most 7.1e-06 m (worst found 1.8e-06 at lengths (0.2293,
+ *    0.5803, 0.4777, 6.133e-05)).
+ *  Error of residual: double at most 1.5e-15 m (worst found 3.7e-16 at lengths (0.2418, 0.5803,
+ *    0.484, 0.004913)); float at most 1.9e-06 m (worst found 4.8e-07 at lengths (0.2293,
+ *    0.5803, 0.4777, 6.133e-05)).
+ *  Cost, all branches: 62 add, 64 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -85,18 +87,24 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of pose: double at most 0.0e+00 m; float at most 6.8e-06 m (worst found 1.7e-06 at
- *    lengths (0.5803, 0.2844, 0.01285, 0.5062), length_rates (-0.8194, 1, -0.1942, -1)).
- *  Error of residual: double at most 0.0e+00 m; float at most 1.3e-06 m (worst found 3.2e-07 at
- *    lengths (0.5803, 0.2843, 0.01248, 0.5062), length_rates (-0.8533, 1, -0.2305, -1)).
- *  Error of structure: double at most 0.0e+00; float at most 1.7e-03 (worst found 4.2e-04 at
- *    lengths (0.5803, 0.2844, 0.01282, 0.5062), length_rates (-0.8533, 1, -0.199, -1)).
- *  Error of velocity: double at most 0.0e+00 m/s; float at most 1.3e-03 m/s (worst found
- *    3.2e-04 at lengths (0.5803, 0.2844, 0.01282, 0.5062), length_rates (-0.8533, 1, -0.2307,
- *    -1)).
- *  Cost, all branches: 85 add, 98 mul, 12 div, 9 sqrt, 10 compare, 1 select. */
+ *  Error of pose: double at most 8.9e-15 m (worst found 2.2e-15 at lengths (0.5038, 0.02267,
+ *    0.2806, 0.5803), length_rates (-0.4503, -0.09535, 0.2864, 0.6395)); float at most 6.8e-06
+ *    m (worst found 1.7e-06 at lengths (0.5803, 0.2844, 0.01285, 0.5062), length_rates
+ *    (-0.8194, 1, -0.1942, -1)).
+ *  Error of residual: double at most 1.9e-15 m (worst found 4.7e-16 at lengths (0.506, 0.01755,
+ *    0.2841, 0.5803), length_rates (-0.9979, 0.3655, 0.5147, 0.6479)); float at most 1.3e-06 m
+ *    (worst found 3.2e-07 at lengths (0.5803, 0.2843, 0.01248, 0.5062), length_rates (-0.8533,
+ *    1, -0.2305, -1)).
+ *  Error of structure: double at most 2.7e-12 (worst found 6.7e-13 at lengths (0, 0.506,
+ *    0.5801, 0.2837), length_rates (-0.4565, 0.4673, 0.8976, -0.8197)); float at most 1.7e-03
+ *    (worst found 4.2e-04 at lengths (0.5803, 0.2844, 0.01282, 0.5062), length_rates (-0.8533,
+ *    1, -0.199, -1)).
+ *  Error of velocity: double at most 1.5e-12 m/s (worst found 3.7e-13 at lengths (0, 0.506,
+ *    0.5801, 0.2837), length_rates (-0.478, 0.4673, 1, -0.8187)); float at most 1.3e-03 m/s
+ *    (worst found 3.2e-04 at lengths (0.5803, 0.2844, 0.01282, 0.5062), length_rates (-0.8533,
+ *    1, -0.2307, -1)).
+ *  Cost, all branches: 85 add, 99 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 7eafe16faeea0d77, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 463c2398609fa0f3, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -333,27 +333,35 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t pose_1 = start_1 + t35;
     const real_t t36 = TB_C(0.253) - pose_0;
     const real_t t37 = t36 * t36;
+    const real_t t38 = TB_SQRT(t37 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
-    const real_t misfit_0 = lengths[0] - TB_SQRT(t37 + pose_1 * pose_1);
-    const real_t t38 = TB_C(0.506) - pose_0;
-    const real_t t39 = TB_C(0.142) - pose_1;
-    const real_t t40 = t39 * t39;
-    const real_t misfit_1 = lengths[1] - TB_SQRT(t38 * t38 + t40);
-    const real_t t41 = TB_C(0.284) - pose_1;
-    const real_t misfit_2 = lengths[2] - TB_SQRT(t37 + t41 * t41);
-    const real_t t42 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
-    const real_t misfit_3 = lengths[3] - TB_SQRT(t40 + pose_0 * pose_0);
-    const real_t residual_0 = TB_SQRT(t42 + misfit_3 * misfit_3);
-    const bool t43 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t44 = t43 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
-    const bool t45 = !t44;
-    if (TB_C(0.0)) {
+    const real_t misfit_0 = lengths[0] - t38;
+    const real_t t39 = TB_C(0.506) - pose_0;
+    const real_t t40 = TB_C(0.142) - pose_1;
+    const real_t t41 = t40 * t40;
+    const real_t t42 = TB_SQRT(t39 * t39 + t41);
+    const real_t misfit_1 = lengths[1] - t42;
+    const real_t t43 = TB_C(0.284) - pose_1;
+    const real_t t44 = TB_SQRT(t37 + t43 * t43);
+    const real_t misfit_2 = lengths[2] - t44;
+    const real_t t45 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
+    const real_t t46 = TB_SQRT(t41 + pose_0 * pose_0);
+    const real_t misfit_3 = lengths[3] - t46;
+    const real_t residual_0 = TB_SQRT(t45 + misfit_3 * misfit_3);
+    const real_t t47 = tb_max(TB_C(2.5603600000000005e-09), TB_C(10.774144) * TB_EPSILON);
+    const bool t48 = t47 < TB_C(0.128018) && t47 < TB_C(0.040327999999999996);
+    const bool t49 = !t48;
+    const bool t50 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t51 = t50 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t52 = t51 && TB_C(0.0001) < t38 && TB_C(0.0001) < t42 && TB_C(0.0001) < t44;
+    const bool t53 = !(t52 && TB_C(0.0001) < t46);
+    if (t49) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t45) {
+    if (t53) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -483,29 +491,15 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t t63 = t62 + structure_7 * structure_7 - t56 * (t59 * t59);
     const real_t velocity_1 = (t54 * t59 - t61) / t63;
     const real_t velocity_0 = -(t54 * t57 + t59 * velocity_1);
-    const bool t64 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
-    const bool t65 = t64 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const real_t t64 = tb_max(TB_C(2.5603600000000005e-09), TB_C(10.774144) * TB_EPSILON);
+    const bool t65 = t64 < TB_C(0.128018) && t64 < TB_C(0.040327999999999996);
     const bool t66 = !t65;
-    const bool t67 = TB_C(0.0001) < t38 && TB_C(0.0001) < t42 && TB_C(0.0001) < t44;
-    const bool t68 = !(t67 && TB_C(0.0001) < t46);
-    const real_t t69 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
-    const bool t70 = !(t69 < t56 && t69 < t63);
-    if (TB_C(0.0)) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
+    const bool t67 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
+    const bool t68 = t67 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
+    const bool t69 = t68 && TB_C(0.0001) < t38 && TB_C(0.0001) < t42 && TB_C(0.0001) < t44;
+    const bool t70 = !(t69 && TB_C(0.0001) < t46);
+    const real_t t71 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
+    const bool t72 = !(t71 < t56 && t71 < t63);
     if (t66) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
@@ -522,7 +516,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t68) {
+    if (t70) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);
@@ -538,7 +532,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
         velocity[1] = TB_C(0.0);
         return TB_SINGULAR;
     }
-    if (t70) {
+    if (t72) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         residual[0] = TB_C(0.0);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 7eafe16faeea0d77, generator 0.1.2, casadi 3.8.2. Do not edit. */
+ * Machine 463c2398609fa0f3, generator 0.1.3, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -69,11 +69,13 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Domain: lengths in [0, 3.16] m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 0.0e+00 m; float at most 1.6e-05 m (worst found 3.9e-06 at
- *    lengths (0.309, 0.5223, 0.3091, 0.1296)).
- *  Error of residual: double at most 0.0e+00 m; float at most 5.4e-06 m (worst found 1.3e-06 at
- *    lengths (0.3129, 0.5175, 0.3125, 0.115)).
- *  Cost, all branches: 60 add, 63 mul, 6 div, 9 sqrt, 4 compare. */
+ *  Error of pose: double at most 8.9e-15 m (worst found 2.2e-15 at lengths (0.3435, 0.09351,
+ *    0.3444, 0.5144)); float at most 1.6e-05 m (worst found 3.9e-06 at lengths (0.309, 0.5223,
+ *    0.3091, 0.1296)).
+ *  Error of residual: double at most 3.5e-15 m (worst found 8.7e-16 at lengths (0.3435,
+ *    0.09333, 0.344, 0.5127)); float at most 5.4e-06 m (worst found 1.3e-06 at lengths (0.3129,
+ *    0.5175, 0.3125, 0.115)).
+ *  Cost, all branches: 60 add, 64 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -85,20 +87,24 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *  Domain: length_rates with a sum of magnitudes of at most 400 m/s, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of pose: double at most 0.0e+00 m; float at most 8.5e-06 m (worst found 2.1e-06 at
- *    lengths (0.3313, 0.02869, 0.3314, 0.5065), length_rates (-0.7733, 0.7702, -0.03265,
- *    -0.9779)).
- *  Error of residual: double at most 0.0e+00 m; float at most 3.4e-06 m (worst found 8.4e-07 at
- *    lengths (0.3313, 0.02869, 0.331, 0.5065), length_rates (-0.7732, 0.7702, -0.03358,
- *    -0.9779)).
- *  Error of structure: double at most 0.0e+00; float at most 1.3e-03 (worst found 3.1e-04 at
- *    lengths (0.2898, 0, 0.2902, 0.506), length_rates (-0.527, 0.3477, -0.05067, -0.5098)).
- *  Error of velocity: double at most 0.0e+00 m/s; float at most 8.9e-04 m/s (worst found
- *    2.2e-04 at lengths (0.2898, 0, 0.2904, 0.5064), length_rates (-1, 0.3513, 0.1271,
- *    -0.434)).
- *  Cost, all branches: 81 add, 98 mul, 12 div, 9 sqrt, 10 compare, 1 select. */
+ *  Error of pose: double at most 3.4e-14 m (worst found 8.6e-15 at lengths (0.3198, 0.001678,
+ *    0.3197, 0.506), length_rates (1, 0.8063, -0.5227, -0.01831)); float at most 8.5e-06 m
+ *    (worst found 2.1e-06 at lengths (0.3313, 0.02869, 0.3314, 0.5065), length_rates (-0.7733,
+ *    0.7702, -0.03265, -0.9779)).
+ *  Error of residual: double at most 5.8e-15 m (worst found 1.5e-15 at lengths (0.287, 0.04598,
+ *    0.2869, 0.5086), length_rates (0.2098, 0.4928, 0.1177, -0.6566)); float at most 3.4e-06 m
+ *    (worst found 8.4e-07 at lengths (0.3313, 0.02869, 0.331, 0.5065), length_rates (-0.7732,
+ *    0.7702, -0.03358, -0.9779)).
+ *  Error of structure: double at most 1.7e-12 (worst found 4.2e-13 at lengths (0.3198,
+ *    0.001678, 0.3197, 0.506), length_rates (1, 0.8063, -0.5227, -0.01831)); float at most
+ *    1.3e-03 (worst found 3.1e-04 at lengths (0.2898, 0, 0.2902, 0.506), length_rates (-0.527,
+ *    0.3477, -0.05067, -0.5098)).
+ *  Error of velocity: double at most 1.4e-12 m/s (worst found 3.5e-13 at lengths (0.2875,
+ *    0.0001936, 0.2876, 0.506), length_rates (-0.7757, -0.2943, -0.1678, -0.376)); float at
+ *    most 8.9e-04 m/s (worst found 2.2e-04 at lengths (0.2898, 0, 0.2904, 0.5064), length_rates
+ *    (-1, 0.3513, 0.1271, -0.434)).
+ *  Cost, all branches: 81 add, 99 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

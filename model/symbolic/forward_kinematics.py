@@ -5,6 +5,7 @@ pulleys of some radius, have none: there Gauss-Newton starts from a guess of the
 """
 
 import math
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -50,6 +51,10 @@ FITTED_ROUNDINGS = 16.0
 #: ... or by less than this share of what the lengths disagree by: steps shrink slowly there, and
 #: where the lengths are 10 mm off, rounding would not be reached in time at one pose in ten.
 FITTED_SHARE = 1e-9
+#: Bases count as on one line, or plane, when they are off it by less than this share of the frame,
+FLATTEST = 1e-4
+#: ... or by less than the root of so many EPSILON of their spread, which is rounding.
+SPREAD_ROUNDINGS = 64.0
 
 
 def needs_guess(machine: Machine) -> bool:
@@ -57,20 +62,31 @@ def needs_guess(machine: Machine) -> bool:
     return machine.is_rigid or any(machine.pulleys)
 
 
-def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Vector]:
-    """Position from distances, closed form; returns (position [m], pivots [m^2]).
+@dataclass(frozen=True)
+class Multilateration:
+    """A position [m], the pivots of its equations, and how far the bases spread out [m^2]."""
+
+    position: Vector
+    pivots: Vector
+    spread: Scalar
+
+
+def multilateration(points: Matrix, lengths: Vector) -> Multilateration:
+    """Position from distances, closed form.
 
     |b_i|^2 - 2 b_i.c + |c|^2 = l_i^2 minus its mean over the cables is linear in c, for any bases.
     """
     count, dimension = len(points), len(points[0])
     centre = [total([point[k] for point in points]) / count for k in range(dimension)]
     arms = [subtract(point, centre) for point in points]
-    squares = [dot(arm, arm) - length * length for arm, length in zip(arms, lengths, strict=True)]
+    reaches = [dot(arm, arm) for arm in arms]
+    squares = [reach - length * length for reach, length in zip(reaches, lengths, strict=True)]
     mean = total(squares) / count
     columns = transpose(arms)
     right = [x / 2 for x in multiply(columns, [square - mean for square in squares])]
     offset, pivots = solve_positive(gram(columns), right)
-    return [a + b for a, b in zip(centre, offset, strict=True)], pivots
+    position = [a + b for a, b in zip(centre, offset, strict=True)]
+    return Multilateration(position, pivots, total(reaches))
 
 
 def gauss_newton_step(points: Matrix, lengths: Vector, pose: Vector) -> tuple[Vector, Vector]:
@@ -88,18 +104,20 @@ class ClosedForm:
     def __init__(self, machine: Machine, lengths: Vector, rails: Vector) -> None:
         points = kinematics.base_points(machine, rails)
         self.machine = machine
-        self.start, self.spread = multilateration(points, lengths)
-        self.pose, self.distances = gauss_newton_step(points, lengths, self.start)
+        self.start = multilateration(points, lengths)
+        self.pose, self.distances = gauss_newton_step(points, lengths, self.start.position)
         self.at = kinematics.cables(machine, self.pose, rails)
         self.misfit = subtract(lengths, self.at.lengths)
 
     def verdicts(self) -> tuple[Verdict, ...]:
         """Where the lengths tell no pose."""
-        least = (1e-4 * max(self.machine.frame.size)) ** 2
+        rounding = SPREAD_ROUNDINGS * EPSILON * self.start.spread
+        least = ca.fmax((FLATTEST * max(self.machine.frame.size)) ** 2, rounding)
         where_bases_are = "line" if self.machine.space == 2 else "plane"
+        free = [*self.distances, *self.at.clearances]
         return (
-            not_all_above(self.spread, least, f"the bases lie on one {where_bases_are}"),
-            not_all_above(self.distances, CONTACT_DISTANCE, "the platform is at a pulley"),
+            not_all_above(self.start.pivots, least, f"the bases lie on one {where_bases_are}"),
+            not_all_above(free, CONTACT_DISTANCE, "the platform is at a pulley"),
         )
 
     def outputs(self) -> tuple[Output, ...]:
@@ -111,7 +129,11 @@ class ClosedForm:
     def labels(self) -> tuple[Label, ...]:
         """Names for what is computed on the way."""
         return (
-            Label("start", self.start, "differences of squared lengths are linear in the pose"),
+            Label(
+                "start",
+                self.start.position,
+                "differences of squared lengths are linear in the pose",
+            ),
             Label("distance", self.distances, "one Gauss-Newton step"),
             Label("misfit", self.misfit, "what the lengths disagree by: slack, an encoder fault"),
         )
@@ -161,7 +183,7 @@ def locate_function(machine: Machine) -> ModelFunction:
             matrix_output("structure", "1", fix.at.structure),
             vector_output("velocity", "m/s", velocity),
         ),
-        (*fix.verdicts(), touches_a_pulley(fix.at.clearances), loses_rank(pivots)),
+        (*fix.verdicts(), loses_rank(pivots)),
         fix.labels(),
     )
 

@@ -272,3 +272,26 @@ def test_a_guess_beyond_the_domain_is_refused(name: str) -> None:
             guess = at_the_start(machine)[0]
             guess[entry] = wrong
             assert located(generated, guess, lengths, rails).status == Status.OUT_OF_DOMAIN
+
+
+@pytest.mark.parametrize("precision", REALS)
+def test_bases_on_one_line_tell_no_pose_in_either_precision(precision: str) -> None:
+    """They are on it but for rounding, which in single precision is more than 1e-4 of the frame."""
+    generated = geometry("three_base_equilateral", precision)
+    random, depth = np.random.default_rng(82), generated.machine.frame.size[1]
+    above, right = random.uniform(0.05, 0.65, (2, POINTS, 2))
+    left = above + random.random((POINTS, 1)) * (right - above)
+    pairs = (
+        above[:, 0],
+        depth - above[:, 1],
+        left[:, 1],
+        left[:, 0],
+        right[:, 1],
+        depth - right[:, 0],
+    )
+    rails = np.stack(pairs, axis=-1).astype(REALS[precision])
+    lengths = random.uniform(0.05, 0.8, (POINTS, 3)).astype(REALS[precision])
+    found = generated.forward_kinematics(lengths=lengths, rails=rails)
+    assert np.all(found.status == Status.SINGULAR)
+    bases = np.asarray(generated.base_points(rails), dtype=float)
+    assert np.allclose(bases[:, 0], above) and np.allclose(bases[:, 2], right)
