@@ -204,7 +204,7 @@ def failed(item: Item, result: Result) -> NDArray[np.bool_]:
 
 def _run(routine: Routine, inputs: Arguments, count: int, arithmetic: Arithmetic) -> Result:
     values: dict[int, Any] = {}
-    for number in sorted(routine.needed()):
+    for number in routine.order:
         values[number] = _value(routine.nodes[number], values, inputs, arithmetic)
     return Result(
         [_spread([values[n] for n in group], count) for group in routine.outputs],
@@ -221,25 +221,13 @@ def _spread(values: list[Any], count: int) -> list[Any]:
 
 
 def _value(node: Node, values: dict[int, Any], inputs: Arguments, arithmetic: Arithmetic) -> Any:
-    if node.op is Op.CONSTANT:
-        return arithmetic.number(node.value)
-    if node.op is Op.EPSILON:
-        return arithmetic.number(arithmetic.epsilon)
+    operation = _OPERATIONS.get(node.op)
+    if operation:
+        return operation(arithmetic, *[values[arg] for arg in node.args])
     if node.op is Op.INPUT:
         argument, entry = node.entry
         return inputs[argument][entry]
-    args = [values[arg] for arg in node.args]
-    if node.op is Op.SELECT:
-        return arithmetic.select(_truth(args[0]), args[1], args[2])
-    if node.op is Op.MIN:
-        return arithmetic.select(args[0] < args[1], args[0], args[1])
-    if node.op is Op.MAX:
-        return arithmetic.select(args[1] < args[0], args[0], args[1])
-    if node.op is Op.COPYSIGN:
-        return arithmetic.select(np.signbit(_leading(args[1])), -abs(args[0]), abs(args[0]))
-    if node.op is Op.SQRT:
-        return arithmetic.root(args[0])
-    return _OPERATIONS[node.op](*args)
+    return arithmetic.number(arithmetic.epsilon if node.op is Op.EPSILON else node.value)
 
 
 def _leading(value: Any) -> Any:
@@ -250,18 +238,27 @@ def _truth(value: Any) -> Any:
     return np.asarray(value, dtype=bool)
 
 
+def _copysign(arithmetic: Arithmetic, size: Any, sign: Any) -> Any:
+    return arithmetic.select(np.signbit(_leading(sign)), -abs(size), abs(size))
+
+
 _OPERATIONS: dict[Op, Callable[..., Any]] = {
-    Op.ADD: lambda a, b: a + b,
-    Op.SUB: lambda a, b: a - b,
-    Op.MUL: lambda a, b: a * b,
-    Op.DIV: lambda a, b: a / b,
-    Op.NEG: lambda a: -a,
-    Op.ABS: abs,
-    Op.LT: lambda a, b: a < b,
-    Op.LE: lambda a, b: a <= b,
-    Op.EQ: lambda a, b: a == b,
-    Op.NE: lambda a, b: a != b,
-    Op.NOT: lambda a: ~_truth(a),
-    Op.AND: lambda a, b: _truth(a) & _truth(b),
-    Op.OR: lambda a, b: _truth(a) | _truth(b),
+    Op.ADD: lambda _, a, b: a + b,
+    Op.SUB: lambda _, a, b: a - b,
+    Op.MUL: lambda _, a, b: a * b,
+    Op.DIV: lambda _, a, b: a / b,
+    Op.NEG: lambda _, a: -a,
+    Op.ABS: lambda _, a: abs(a),
+    Op.SQRT: lambda arithmetic, a: arithmetic.root(a),
+    Op.COPYSIGN: _copysign,
+    Op.MIN: lambda arithmetic, a, b: arithmetic.select(a < b, a, b),
+    Op.MAX: lambda arithmetic, a, b: arithmetic.select(b < a, a, b),
+    Op.LT: lambda _, a, b: a < b,
+    Op.LE: lambda _, a, b: a <= b,
+    Op.EQ: lambda _, a, b: a == b,
+    Op.NE: lambda _, a, b: a != b,
+    Op.NOT: lambda _, a: ~_truth(a),
+    Op.AND: lambda _, a, b: _truth(a) & _truth(b),
+    Op.OR: lambda _, a, b: _truth(a) | _truth(b),
+    Op.SELECT: lambda arithmetic, a, b, c: arithmetic.select(_truth(a), b, c),
 }

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 
 from model.symbolic.function import ModelFunction
 
@@ -63,6 +64,11 @@ class Routine:
     def roots(self) -> list[int]:
         """Nodes that the function needs: outputs and verdicts (labels only name what is there)."""
         return [node for group in self.outputs for node in group] + self.verdicts
+
+    @cached_property
+    def order(self) -> list[int]:
+        """The nodes that are needed, every one after those it reads."""
+        return sorted(self.needed())
 
     def needed(self) -> set[int]:
         """The roots and everything they are computed from."""
