@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import signal
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -25,6 +26,16 @@ STOCK_FOLDER = ROOT / "generated" / "yoon2023"
 
 # A shell that starts the tests in the background lets them, and all they start, ignore interrupts.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# What is imported and collected stays to the end: looking it through for garbage only takes time.
+gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """From here on what tests leave behind is cleared away."""
+    gc.freeze()
+    gc.enable()
+
 
 # The same examples everywhere, and no time limits: a busy machine fails no test.
 settings.register_profile(
