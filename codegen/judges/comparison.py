@@ -37,9 +37,9 @@ from codegen.judges.tensions import (
 from model.machine import Machine
 from model.reference import brau
 from model.reference.arrays import norm
-from model.symbolic import comparison
+from model.symbolic import active_set, comparison
 from model.symbolic.function import Status
-from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS
+from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS, is_unrolled
 
 #: What is moved in so many random directions, either way, may in truth move by so much more.
 DIRECTIONS, MARGIN = 2, 4.0
@@ -141,7 +141,11 @@ def kernel_tension(p: Problem) -> Expected:
     least = np.maximum(weakest, rank_limit(p.epsilon))
     rounding = RANK_FACTOR * KKT_TOLERANCE * p.epsilon * np.maximum(largest, machine.tension.max)
     doubtful = singular[1] | (rounding > LARGEST_MISS * machine.tension.max * least)
-    unsure = replace(found, some=found.some | doubtful, none=found.none | doubtful)
+    # the loop moves no cable by less than this over a pivot; such tensions go with one over both
+    reach = machine.tension.max / np.sqrt(active_set.PARALLEL * p.epsilon)
+    beyond = (largest > reach) & (not is_unrolled(machine))
+    none = found.none | doubtful | beyond
+    unsure = replace(found, some=found.some | doubtful, none=none)
     gives_up = ~always(p.count), doubtful | nearly_parallel(p, p["structure"])
     faults = {Status.SINGULAR: singular, Status.INACCURATE: gives_up}
     return told(p, unsure, machine.tension.min, faults)

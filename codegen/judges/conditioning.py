@@ -7,10 +7,14 @@ rounding is far below what they decide.
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from codegen.judges.problem import ROUNDINGS, Bools
 from model.reference.arrays import Array as Wide
 from model.reference.planar import minors
+
+#: A singular value below this is rounding.
+NOTHING = np.finfo(float).eps * ROUNDINGS
 
 
 def least_pivot(rows: Wide) -> Wide:
@@ -40,16 +44,21 @@ def narrowest(columns: Wide, among: Bools) -> Wide:
     """Least singular value (count) of any d columns that are not dependent, `among` included.
 
     For two planar unit columns it is, but for a factor of sqrt(2), the sine of their angle. among
-    (count, n): columns that must be part of the choice; with more than d of them, any d of these.
+    (count, n): columns that must be part of the choice, as many of them as are independent.
     """
     count, n, d = columns.shape
     result = np.full(count, np.inf, np.longdouble)
-    asked = np.sum(among, axis=-1)
+    independent = rank(columns * among[..., None])
     for chosen in combinations(range(n), d):
         inside = np.sum(among[:, chosen], axis=-1)
-        rows = np.flatnonzero(inside == np.minimum(asked, d))
+        rows = np.flatnonzero(inside >= independent)
         if rows.size:
             least = smallest_singular_value(columns[rows][:, chosen])
-            counts = least > np.finfo(float).eps * ROUNDINGS
-            result[rows] = np.minimum(result[rows], np.where(counts, least, np.inf))
+            result[rows] = np.minimum(result[rows], np.where(least > NOTHING, least, np.inf))
     return np.where(np.isfinite(result), result, 1)
+
+
+def rank(rows: Wide) -> NDArray[np.int_]:
+    """How many of the rows (count, n, d) are independent (count)."""
+    values = np.linalg.svd(rows.astype(float), compute_uv=False)
+    return np.asarray(np.sum(values > NOTHING, axis=-1))

@@ -6,7 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from codegen.judges.conditioning import least_pivot, narrowest, smallest_singular_value
+from codegen.judges.conditioning import (
+    NOTHING,
+    least_pivot,
+    narrowest,
+    smallest_singular_value,
+)
 from codegen.judges.problem import (
     ROUNDINGS,
     Bools,
@@ -23,6 +28,7 @@ from model.reference.planar import minors
 from model.reference.wrench_set import by_slabs, slabs
 from model.symbolic import rank as limits
 from model.symbolic.function import Status
+from model.symbolic.nearest_wrench import BEYOND
 from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
 
 Judge = Callable[[Problem], Expected]
@@ -66,7 +72,7 @@ def amplification(structure: Wide, tension: Wide, low: float, high: float) -> Wi
     count = np.sum(free, axis=-1)
     columns = np.swapaxes(structure, -1, -2)
     least = smallest_singular_value(columns * free[..., None])
-    enough = (count >= structure.shape[-2]) & (least > 0)
+    enough = (count >= structure.shape[-2]) & (least > NOTHING)
     gain = np.empty(len(least), np.longdouble)
     gain[enough] = 1 / least[enough]
     gain[~enough] = 1 / narrowest_share(columns[~enough], free[~enough])
@@ -105,7 +111,7 @@ def bounded(p: Problem, structure: Wide, wrench: Wide, policy: str) -> Bounded:
     served = ROUNDINGS * p.epsilon * size
     if policy != "paper":
         nearest = infeasible if policy == "closest" else infeasible & off_the_ray(p, wrench, answer)
-        served = served + nearest * corner_slack(p, wrench, answer)
+        served = served + nearest * beside_the_nearest(p, wrench, answer)
     if policy == "scale":
         # the ray meets the border of a flat set at a small angle
         served = served + 2 * infeasible * tolerated(machine, p.epsilon, structure)
@@ -191,17 +197,29 @@ def off_the_ray(p: Problem, wrench: Wide, answer: Any) -> Bools:
     return np.asarray(beside > ROUNDINGS * p.epsilon * p.machine.tension.max)
 
 
-def corner_slack(p: Problem, wrench: Wide, answer: Any) -> Wide:
-    """How far beside the nearest point of a polygon rounding may find it, near a corner.
+def beside_the_nearest(p: Problem, wrench: Wide, answer: Any) -> Wide:
+    """How far beside the nearest feasible wrench the C may find one that is as near (count) [N].
+
+    A loop ends at a point c when none is nearer by more than a gap, |c - w|^2 - (c - w)(v - w) for
+    all v, and then the square of its distance from the nearest is at most that gap.
+    """
+    bounds, wanted = p.machine.tension, wrench / levers(p.machine)
+    away = norm(answer.delivered / levers(p.machine) - wanted)
+    if p.machine.dof == 2:
+        return near_a_corner(p, answer, away)
+    scale = bounds.max * len(p.machine.cables) + np.sum(np.abs(wanted), axis=-1)
+    return np.asarray(p.closely * np.sqrt(BEYOND * p.epsilon * scale * away))
+
+
+def near_a_corner(p: Problem, answer: Any, away: Wide) -> Wide:
+    """The same for a polygon, whose sides are known: beside a corner that is as near as a side.
 
     Two points of it that are sqrt(epsilon) of the distance apart are equally near up to rounding.
     """
     bounds = p.machine.tension
-    away = norm((answer.delivered - wrench) / levers(p.machine))
     reach = 8 * np.sqrt(p.epsilon) * away
     room = np.minimum(answer.tension - bounds.min, bounds.max - answer.tension)
-    moving = np.max(room, axis=-1)
-    return np.asarray(np.where(moving <= reach, reach, 0))
+    return np.asarray(np.where(np.max(room, axis=-1) <= reach, reach, 0))
 
 
 def tolerated(machine: Machine, epsilon: float, structure: Wide) -> Wide:
@@ -235,21 +253,21 @@ def depth(machine: Machine, structure: Wide, wrench: Wide) -> Wide:
 def paper_verdicts(p: Problem, structure: Wide, wrench: Wide) -> tuple[Bools, Bools]:
     """The same for Yoon eqs 22 and 23: it has no solution, or one that is clipped."""
     machine, high, relative = p.machine, p.machine.tension.max, TENSION_ROUNDINGS * p.epsilon
-    size = norm(wrench / levers(machine))
+    levered, forces = structure / levers(machine)[:, None], wrench / levers(machine)
+    size = norm(forces)
     changes: list[tuple[float, Any]] = [(0.0, 0.0)]
     if p.closely:
-        moves = [sign * step for step in np.diag(levers(machine)) for sign in (1, -1)]
+        moves = [sign * step for step in np.eye(machine.dof) for sign in (1, -1)]
         changes += [(relative, 0.0), (-relative, 0.0), *((0.0, move) for move in moves)]
     solved = [
         tension.minimum_norm_tension(
-            structure,
-            wrench + relative * size[:, None] * move,
+            levered,
+            forces + relative * size[:, None] * move,
             machine.tension.min - shift * high,
             np.inf,
         )
         for shift, move in changes
     ]
-    levered = structure / levers(machine)[:, None]
     gain = amplification(levered, solved[0].tension, machine.tension.min, np.inf)
     slack = (relative * (high + size) * gain)[:, None]
     fits = [s.solved & np.all(s.tension <= high + slack, axis=-1) for s in solved]

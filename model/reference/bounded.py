@@ -142,6 +142,7 @@ class _Search:
         ArithmeticError where that does not come to an end.
         """
         rows = np.flatnonzero(self.finite)
+        self.refused[...] = False
         usual = STEPS_PER_CABLE * self.tension.shape[-1]
         for count in range(2 * usual):
             through = self._move(rows, objective.step(self._state(rows)))
