@@ -29,7 +29,7 @@ from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
 from model.symbolic.sweep import Sweep
 from model.symbolic.topics import TOPICS, model_composites, model_functions
 
-GENERATOR_VERSION = "0.1.3"
+GENERATOR_VERSION = "0.1.4"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"

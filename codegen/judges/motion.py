@@ -28,8 +28,8 @@ from model.symbolic.forward_kinematics import (
     FITTED_ROUNDINGS,
     FITTED_SHARE,
     FLATTEST,
+    FLATTEST_ROUNDINGS,
     MOST_STEPS,
-    SPREAD_ROUNDINGS,
     needs_guess,
 )
 from model.symbolic.function import Status
@@ -202,7 +202,7 @@ def closed(p: Problem) -> Fixed:
     points = kinematics.base_points(p.machine, p["rails"])
     arms = points - np.mean(points, axis=-2, keepdims=True)
     size, spread = np.sum(arms**2, axis=(-2, -1)), least_pivot(arms)
-    limit = np.maximum((FLATTEST * extent(p.machine)) ** 2, SPREAD_ROUNDINGS * p.epsilon * size)
+    limit = extent(p.machine) ** 2 * max(FLATTEST**2, FLATTEST_ROUNDINGS * p.epsilon)
     collinear = below(spread, limit, ROUNDINGS * p.epsilon * size)
     vectors = points - found.pose[:, None, :]
     distance = np.maximum(norm(vectors), CONTACT_DISTANCE / 2)

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine bd62187f1bb9bbdc, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 80532828b8e0bcaf, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[10])
@@ -405,7 +405,7 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const real_t t60 = TB_SQRT(t50 + t59 * t59);
     const real_t misfit_4 = lengths[4] - t60;
     const real_t residual_0 = TB_SQRT(t57 + misfit_3 * misfit_3 + misfit_4 * misfit_4);
-    const real_t t61 = tb_max(TB_C(1e-08), TB_C(140.8) * TB_EPSILON);
+    const real_t t61 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t62 = t61 < TB_C(1.0) && t61 < TB_C(1.2000000000000002);
     const bool t63 = !t62;
     const bool t64 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
@@ -576,7 +576,7 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
     const real_t t83 = t82 - t73 * (t77 * t77);
     const real_t velocity_1 = t80 / t83;
     const real_t velocity_0 = -(t71 * t74 + t77 * velocity_1);
-    const real_t t84 = tb_max(TB_C(1e-08), TB_C(140.8) * TB_EPSILON);
+    const real_t t84 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t85 = t84 < TB_C(1.0) && t84 < TB_C(1.2000000000000002);
     const bool t86 = !t85;
     const bool t87 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine bd62187f1bb9bbdc, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 80532828b8e0bcaf, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 

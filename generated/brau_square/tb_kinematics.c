@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 905662c773bee6d1, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine c4a8899fecc046ea, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -350,7 +350,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t50 = TB_SQRT(t40 + t47);
     const real_t misfit_3 = lengths[3] - t50;
     const real_t residual_0 = TB_SQRT(t49 + misfit_3 * misfit_3);
-    const bool t51 = tb_max(TB_C(1e-08), TB_C(128.0) * TB_EPSILON) < TB_C(1.0);
+    const bool t51 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON) < TB_C(1.0);
     const bool t52 = !t51;
     const bool t53 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
     const bool t54 = t53 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
@@ -498,7 +498,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t t69 = t68 + structure_7 * structure_7 - t62 * (t65 * t65);
     const real_t velocity_1 = t67 / t69;
     const real_t velocity_0 = -(t60 * t63 + t65 * velocity_1);
-    const bool t70 = tb_max(TB_C(1e-08), TB_C(128.0) * TB_EPSILON) < TB_C(1.0);
+    const bool t70 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON) < TB_C(1.0);
     const bool t71 = !t70;
     const bool t72 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
     const bool t73 = t72 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;

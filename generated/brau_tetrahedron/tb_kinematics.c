@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine 1a3fbe4b5ba12671, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine b1d46e7e3d95b7f2, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[12])
@@ -447,7 +447,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t69 = TB_SQRT(t63 + t67 * t67 + t68 * t68);
     const real_t misfit_3 = lengths[3] - t69;
     const real_t residual_0 = TB_SQRT(t66 + misfit_3 * misfit_3);
-    const real_t t70 = tb_max(TB_C(1e-08), TB_C(96.0) * TB_EPSILON);
+    const real_t t70 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t71 = t70 < TB_C(0.5) && t70 < TB_C(0.49999999999999994);
     const bool t72 = !t71;
     const bool t73 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
@@ -643,7 +643,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t velocity_2 = (t97 - t88 * t95) / t99;
     const real_t velocity_1 = t88 * t91 - t95 * velocity_2;
     const real_t velocity_0 = -(t81 * t84 + t86 * velocity_1 + t94 * velocity_2);
-    const real_t t100 = tb_max(TB_C(1e-08), TB_C(96.0) * TB_EPSILON);
+    const real_t t100 = tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t101 = t100 < TB_C(0.5) && t100 < TB_C(0.49999999999999994);
     const bool t102 = !t101;
     const bool t103 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 3c41650eca65ff9d, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 90b40832cbe22a5a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 

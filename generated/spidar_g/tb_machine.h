@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 691694777404258f, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 763bbb7ae54e77c1, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "spidar_g"
-#define TB_MACHINE_HASH "691694777404258f"
+#define TB_MACHINE_HASH "763bbb7ae54e77c1"
 
 #define TB_DOF 6 /* degrees of freedom of the platform */
 #define TB_CABLES 8

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 691694777404258f, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 763bbb7ae54e77c1, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_tension.h"
 
 /* All cables are free. */

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine 67dafec43fae80b8, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 1d39791f30c65708, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -85,9 +85,9 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6], const re
  *  Domain: rails with a sum of magnitudes of at most 8.5416 m, else TB_OUT_OF_DOMAIN.
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
- *  Error of pose: double at most 3.7e-06 m; float at most 8.5e+00 m.
- *  Error of residual: double at most 7.1e-06 m; float at most 1.8e+01 m.
- *  Cost, all branches: 81 add, 74 mul, 7 div, 7 sqrt, 8 compare, 1 select. */
+ *  Error of pose: double at most 3.7e-06 m; float at most 3.0e+00 m.
+ *  Error of residual: double at most 7.1e-06 m; float at most 6.3e+00 m.
+ *  Cost, all branches: 79 add, 74 mul, 7 div, 7 sqrt, 8 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], real_t pose[2],
     real_t residual[1]);
 
@@ -102,11 +102,11 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], 
  *  TB_SINGULAR: the bases lie on one line.
  *  TB_SINGULAR: the platform is at a pulley.
  *  TB_SINGULAR: the cables are parallel.
- *  Error of pose: double at most 3.0e-08 m; float at most 2.1e-01 m.
- *  Error of residual: double at most 6.4e-08 m; float at most 5.1e-01 m.
- *  Error of structure: double at most 9.2e-10; float at most 5.7e+00.
- *  Error of velocity: double at most 3.3e-06 m/s; float at most 2.2e+01 m/s.
- *  Cost, all branches: 101 add, 108 mul, 12 div, 7 sqrt, 10 compare, 2 select. */
+ *  Error of pose: double at most 3.0e-08 m; float at most 2.6e-01 m.
+ *  Error of residual: double at most 6.4e-08 m; float at most 3.9e-01 m.
+ *  Error of structure: double at most 9.2e-10; float at most 4.8e+00.
+ *  Error of velocity: double at most 3.3e-06 m/s; float at most 6.6e+00 m/s.
+ *  Cost, all branches: 99 add, 108 mul, 12 div, 7 sqrt, 10 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
     length_rates[3], const real_t rail_rates[6], real_t pose[2], real_t residual[1], real_t
     structure[6], real_t velocity[2]);

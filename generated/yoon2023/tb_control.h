@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 3b9391c0f19cd186, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine f0e7735e6284fee8, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 3b9391c0f19cd186, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine f0e7735e6284fee8, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -88,7 +88,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
  *    0.2061, 0.7389), rails (0, 0.4309, 0.6618, 0.03311)); float at most 6.5e-05 m (worst found
  *    1.6e-05 at lengths (0.3576, 0.5775, 0.6271, 0.2921), rails (0.01173, 0.3927, 0.7118,
  *    0.04809)).
- *  Cost, all branches: 99 add, 92 mul, 8 div, 9 sqrt, 10 compare, 1 select. */
+ *  Cost, all branches: 96 add, 92 mul, 8 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
     real_t residual[1]);
 
@@ -107,7 +107,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
  *  Error of residual: double at most 8.9e-10 m; float at most 6.5e-04 m.
  *  Error of structure: double at most 4.8e-11; float at most 2.1e-03.
  *  Error of velocity: double at most 6.8e-07 m/s; float at most 4.1e-02 m/s.
- *  Cost, all branches: 124 add, 131 mul, 14 div, 9 sqrt, 12 compare, 2 select. */
+ *  Cost, all branches: 121 add, 131 mul, 14 div, 9 sqrt, 12 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
     length_rates[4], const real_t rail_rates[4], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

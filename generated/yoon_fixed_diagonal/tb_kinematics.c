@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 8257c1d2b66f3cd6, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 97163603ec6312c2, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -352,7 +352,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t52 = TB_SQRT(t42 + t49);
     const real_t misfit_3 = lengths[3] - t52;
     const real_t residual_0 = TB_SQRT(t51 + misfit_3 * misfit_3);
-    const real_t t53 = tb_max(TB_C(2.5603600000000005e-09), TB_C(21.548288) * TB_EPSILON);
+    const real_t t53 = TB_C(0.256036) * tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t54 = t53 < TB_C(0.256036) && t53 < TB_C(0.08065599999999999);
     const bool t55 = !t54;
     const bool t56 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
@@ -503,7 +503,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t t71 = t70 + structure_7 * structure_7 - t64 * (t67 * t67);
     const real_t velocity_1 = t69 / t71;
     const real_t velocity_0 = -(t62 * t65 + t67 * velocity_1);
-    const real_t t72 = tb_max(TB_C(2.5603600000000005e-09), TB_C(21.548288) * TB_EPSILON);
+    const real_t t72 = TB_C(0.256036) * tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t73 = t72 < TB_C(0.256036) && t72 < TB_C(0.08065599999999999);
     const bool t74 = !t73;
     const bool t75 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;

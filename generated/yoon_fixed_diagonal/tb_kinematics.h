@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 8257c1d2b66f3cd6, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 97163603ec6312c2, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -75,7 +75,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Error of residual: double at most 1.5e-15 m (worst found 3.7e-16 at lengths (0.2418, 0.5803,
  *    0.484, 0.004913)); float at most 1.9e-06 m (worst found 4.8e-07 at lengths (0.2293,
  *    0.5803, 0.4777, 6.133e-05)).
- *  Cost, all branches: 62 add, 64 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
+ *  Cost, all branches: 62 add, 65 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -104,7 +104,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *    0.5801, 0.2837), length_rates (-0.478, 0.4673, 1, -0.8187)); float at most 1.3e-03 m/s
  *    (worst found 3.2e-04 at lengths (0.5803, 0.2844, 0.01282, 0.5062), length_rates (-0.8533,
  *    1, -0.2307, -1)).
- *  Cost, all branches: 85 add, 99 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
+ *  Cost, all branches: 85 add, 100 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 463c2398609fa0f3, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 31f366e07fde5e74, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -348,7 +348,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t46 = TB_SQRT(t41 + pose_0 * pose_0);
     const real_t misfit_3 = lengths[3] - t46;
     const real_t residual_0 = TB_SQRT(t45 + misfit_3 * misfit_3);
-    const real_t t47 = tb_max(TB_C(2.5603600000000005e-09), TB_C(10.774144) * TB_EPSILON);
+    const real_t t47 = TB_C(0.256036) * tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t48 = t47 < TB_C(0.128018) && t47 < TB_C(0.040327999999999996);
     const bool t49 = !t48;
     const bool t50 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
@@ -491,7 +491,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const real_t t63 = t62 + structure_7 * structure_7 - t56 * (t59 * t59);
     const real_t velocity_1 = (t54 * t59 - t61) / t63;
     const real_t velocity_0 = -(t54 * t57 + t59 * velocity_1);
-    const real_t t64 = tb_max(TB_C(2.5603600000000005e-09), TB_C(10.774144) * TB_EPSILON);
+    const real_t t64 = TB_C(0.256036) * tb_max(TB_C(1e-08), TB_C(64.0) * TB_EPSILON);
     const bool t65 = t64 < TB_C(0.128018) && t64 < TB_C(0.040327999999999996);
     const bool t66 = !t65;
     const bool t67 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;

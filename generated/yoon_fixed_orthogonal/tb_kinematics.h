@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 463c2398609fa0f3, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine 31f366e07fde5e74, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -75,7 +75,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
  *  Error of residual: double at most 3.5e-15 m (worst found 8.7e-16 at lengths (0.3435,
  *    0.09333, 0.344, 0.5127)); float at most 5.4e-06 m (worst found 1.3e-06 at lengths (0.3129,
  *    0.5175, 0.3125, 0.115)).
- *  Cost, all branches: 60 add, 64 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
+ *  Cost, all branches: 60 add, 65 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
     real_t residual[1]);
 
@@ -104,7 +104,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *    0.0001936, 0.2876, 0.506), length_rates (-0.7757, -0.2943, -0.1678, -0.376)); float at
  *    most 8.9e-04 m/s (worst found 2.2e-04 at lengths (0.2898, 0, 0.2904, 0.5064), length_rates
  *    (-1, 0.3513, 0.1271, -0.434)).
- *  Cost, all branches: 81 add, 99 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
+ *  Cost, all branches: 81 add, 100 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine 5ccdbb7e5908615b, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine a6ca40858d43110a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -86,7 +86,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[2], const re
  *  Error of residual: double at most 2.3e-14 m (worst found 5.7e-15 at lengths (0.7122, 0.6769,
  *    0.7461, 0.2052), rails (0.5862, 0.09982)); float at most 6.3e-06 m (worst found 1.6e-06 at
  *    lengths (0.6573, 0.7419, 0.4849, 0.2016), rails (0.4832, 0.4206)).
- *  Cost, all branches: 93 add, 86 mul, 8 div, 9 sqrt, 10 compare, 1 select. */
+ *  Cost, all branches: 90 add, 86 mul, 8 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[2], real_t pose[2],
     real_t residual[1]);
 
@@ -105,7 +105,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[2], 
  *  Error of residual: double at most 3.9e-15 m; float at most 2.5e-06 m.
  *  Error of structure: double at most 1.8e-12; float at most 1.6e-03.
  *  Error of velocity: double at most 2.6e-12 m/s; float at most 1.6e-03 m/s.
- *  Cost, all branches: 118 add, 125 mul, 14 div, 9 sqrt, 12 compare, 2 select. */
+ *  Cost, all branches: 115 add, 125 mul, 14 div, 9 sqrt, 12 compare, 2 select. */
 tb_status tb_locate(const real_t lengths[4], const real_t rails[2], const real_t
     length_rates[4], const real_t rail_rates[2], real_t pose[2], real_t residual[1], real_t
     structure[8], real_t velocity[2]);

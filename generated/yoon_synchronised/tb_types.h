@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine 5ccdbb7e5908615b, generator 0.1.3, casadi 3.8.2. Do not edit. */
+ * Machine a6ca40858d43110a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 

@@ -5,7 +5,6 @@ pulleys of some radius, have none: there Gauss-Newton starts from a guess of the
 """
 
 import math
-from dataclasses import dataclass
 
 import casadi as ca
 
@@ -53,8 +52,8 @@ FITTED_ROUNDINGS = 16.0
 FITTED_SHARE = 1e-9
 #: Bases count as on one line, or plane, when they are off it by less than this share of the frame,
 FLATTEST = 1e-4
-#: ... or by less than the root of so many EPSILON of their spread, which is rounding.
-SPREAD_ROUNDINGS = 64.0
+#: ... or, as squares tell, by the root of so many EPSILON of it, which is rounding.
+FLATTEST_ROUNDINGS = 64.0
 
 
 def needs_guess(machine: Machine) -> bool:
@@ -62,31 +61,20 @@ def needs_guess(machine: Machine) -> bool:
     return machine.is_rigid or any(machine.pulleys)
 
 
-@dataclass(frozen=True)
-class Multilateration:
-    """A position [m], the pivots of its equations, and how far the bases spread out [m^2]."""
-
-    position: Vector
-    pivots: Vector
-    spread: Scalar
-
-
-def multilateration(points: Matrix, lengths: Vector) -> Multilateration:
-    """Position from distances, closed form.
+def multilateration(points: Matrix, lengths: Vector) -> tuple[Vector, Vector]:
+    """Position from distances, closed form; returns (position [m], pivots [m^2]).
 
     |b_i|^2 - 2 b_i.c + |c|^2 = l_i^2 minus its mean over the cables is linear in c, for any bases.
     """
     count, dimension = len(points), len(points[0])
     centre = [total([point[k] for point in points]) / count for k in range(dimension)]
     arms = [subtract(point, centre) for point in points]
-    reaches = [dot(arm, arm) for arm in arms]
-    squares = [reach - length * length for reach, length in zip(reaches, lengths, strict=True)]
+    squares = [dot(arm, arm) - length * length for arm, length in zip(arms, lengths, strict=True)]
     mean = total(squares) / count
     columns = transpose(arms)
     right = [x / 2 for x in multiply(columns, [square - mean for square in squares])]
     offset, pivots = solve_positive(gram(columns), right)
-    position = [a + b for a, b in zip(centre, offset, strict=True)]
-    return Multilateration(position, pivots, total(reaches))
+    return [a + b for a, b in zip(centre, offset, strict=True)], pivots
 
 
 def gauss_newton_step(points: Matrix, lengths: Vector, pose: Vector) -> tuple[Vector, Vector]:
@@ -104,19 +92,19 @@ class ClosedForm:
     def __init__(self, machine: Machine, lengths: Vector, rails: Vector) -> None:
         points = kinematics.base_points(machine, rails)
         self.machine = machine
-        self.start = multilateration(points, lengths)
-        self.pose, self.distances = gauss_newton_step(points, lengths, self.start.position)
+        self.start, self.pivots = multilateration(points, lengths)
+        self.pose, self.distances = gauss_newton_step(points, lengths, self.start)
         self.at = kinematics.cables(machine, self.pose, rails)
         self.misfit = subtract(lengths, self.at.lengths)
 
     def verdicts(self) -> tuple[Verdict, ...]:
         """Where the lengths tell no pose."""
-        rounding = SPREAD_ROUNDINGS * EPSILON * self.start.spread
-        least = ca.fmax((FLATTEST * max(self.machine.frame.size)) ** 2, rounding)
+        flattest = ca.fmax(FLATTEST**2, FLATTEST_ROUNDINGS * EPSILON)
+        least = max(self.machine.frame.size) ** 2 * flattest
         where_bases_are = "line" if self.machine.space == 2 else "plane"
         free = [*self.distances, *self.at.clearances]
         return (
-            not_all_above(self.start.pivots, least, f"the bases lie on one {where_bases_are}"),
+            not_all_above(self.pivots, least, f"the bases lie on one {where_bases_are}"),
             not_all_above(free, CONTACT_DISTANCE, "the platform is at a pulley"),
         )
 
@@ -131,7 +119,7 @@ class ClosedForm:
         return (
             Label(
                 "start",
-                self.start.position,
+                self.start,
                 "differences of squared lengths are linear in the pose",
             ),
             Label("distance", self.distances, "one Gauss-Newton step"),

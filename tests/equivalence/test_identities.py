@@ -132,8 +132,8 @@ def test_the_closed_form_finds_the_pose_of_exact_lengths(
     stock: Machine, base_points: sp.Matrix
 ) -> None:
     points = base_points.tolist()
-    found = forward_kinematics.multilateration(points, list(cable_lengths(base_points)))
-    assert is_zero(sp.Matrix(found.position) - sp.Matrix(POSE))
+    pose, _ = forward_kinematics.multilateration(points, list(cable_lengths(base_points)))
+    assert is_zero(sp.Matrix(pose) - sp.Matrix(POSE))
 
 
 @pytest.mark.usefixtures("symbolic_algebra")
