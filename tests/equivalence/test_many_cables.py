@@ -32,7 +32,7 @@ from model.symbolic.nearest_wrench import BEYOND
 from model.symbolic.tension import INWARDS, KKT_TOLERANCE, OFF_BORDER
 from model.symbolic.wrench_norm import weights
 
-COUNT = 10_000
+COUNT = 6_000
 #: Most cables with which what is composed of loops is evaluated in Python too, which takes long.
 COMPOSED = 12
 #: The self-check of a loop lets pass so many units of EPSILON times T_max a cable.
