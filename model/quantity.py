@@ -5,14 +5,16 @@ import re
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import pint
 from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from model.problem import refusal, shown
+
+if TYPE_CHECKING:
+    import pint
 
 Sign = Literal["any", "not negative", "greater than zero"]
 
@@ -32,8 +34,10 @@ SMALLEST, LARGEST = 1e-12, 1e9
 
 
 @cache
-def _registry() -> pint.UnitRegistry[Any]:
+def _registry() -> "pint.UnitRegistry[Any]":
     """One registry; decimal, so that "711.8 mm" is the float 0.7118 and nothing beside it."""
+    import pint  # takes as long as all the rest, and who has a machine already needs no unit
+
     return pint.UnitRegistry(non_int_type=Decimal)
 
 
@@ -81,6 +85,8 @@ class Quantity:
         return match["number"], match["unit"]
 
     def _in_si(self, number: Decimal, unit: str, found: str) -> float:
+        import pint
+
         try:
             return self._converted(number, _unit(unit), found)
         except (pint.PintError, AssertionError, TypeError):
