@@ -31,6 +31,18 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 gc.disable()
 
 
+#: Tests that take a minute or more whatever the computer does.
+LONG = ("for_a_minute", "test_every_command_of_the_readme")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests come first of the last third, one worker's share: at the end others would wait."""
+    long = [item for item in items if any(words in item.name for words in LONG)]
+    others = [item for item in items if item not in long]
+    place = 2 * len(items) // 3 + 1
+    items[:] = [*others[:place], *long, *others[place:]]
+
+
 def pytest_collection_finish() -> None:
     """From here on what tests leave behind is cleared away."""
     gc.freeze()
