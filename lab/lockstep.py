@@ -1,8 +1,9 @@
 """The compiled runtime and a simulated machine, cycle by cycle, in simulated time.
 
-A cycle is that of a control loop: SYNC, the drives' answers, the master's step, its setpoints, and
-then the machine moves on. Nothing depends on a clock: two runs give the same frames. A Lockstep can
-be copied at any cycle by os.fork().
+A cycle is that of the control loop: SYNC at its begin; a compute phase later the master reads what
+has arrived by then, and its setpoints leave a compute time after that. Frames take their time on the
+wire. Nothing depends on a clock: two runs give the same frames. A Lockstep can be copied at any cycle
+by os.fork().
 """
 
 import ctypes
@@ -18,6 +19,7 @@ from codegen.compile import compile_library
 from lab.drives.node import Frame
 from lab.machine_sim import SimulatedMachine
 from lab.strand import Pair
+from model.bus.plan import compute_phase, loads, timing
 
 SHIM = Path(__file__).parent / "lockstep_shim.c"
 RUNTIME = Path(__file__).parents[1] / "runtime"
@@ -92,6 +94,8 @@ class Lockstep:
         """Frames of the drives that the master's ports did not take."""
         self.missed = 0
         """Cycles that are told to have been skipped; counts once."""
+        common = timing(generated.machine)
+        self._compute_phase = compute_phase(loads(generated.machine), common)
         self._library = load(generated)
         wishes, view = layouts(generated)
         self._check_sizes(wishes, view)
@@ -121,11 +125,15 @@ class Lockstep:
 
     def cycle(self) -> None:
         """Run one cycle."""
-        self._deliver(self._library.shim_sync(self._memory, self._sent, ROOM))
+        began = self.machine.time
+        self._hand_over(self._library.shim_sync(self._memory, self._sent, ROOM), 0.0)
+        self.machine.run_until(began + self._compute_phase)
+        self._return_answers()
         self._wish()
         missed, self.missed = self.missed, 0
         wishes = pointer(self._wishes)
-        self._deliver(self._library.shim_run(self._memory, wishes, missed, self._sent, ROOM))
+        count = self._library.shim_run(self._memory, wishes, missed, self._sent, ROOM)
+        self._hand_over(count, self.machine.compute_time)
         self.machine.advance()
         self._return_answers()
         self.cycles += 1
@@ -178,16 +186,15 @@ class Lockstep:
         wishes["hand_force_fresh"] = self.hand_force_fresh
         wishes["requests"] = int(self.requests)
 
-    def _deliver(self, count: int) -> None:
-        """Put on the buses what the master sent, and hand back what is answered."""
+    def _hand_over(self, count: int, after: float) -> None:
+        """Give what the master sent to its controllers, so long [s] from now."""
         buses = self.machine.buses
         sent = memoryview(self._sent)[: count * FRAME.size]
         for bus, length, identifier, data in FRAME.iter_unpack(sent):
             frame = Frame(identifier, data[:length])
             for tap in self.taps:
                 tap(bus, frame)
-            buses[bus].send(frame)
-        self._return_answers()
+            buses[bus].send(frame, after)
 
     def _return_answers(self) -> None:
         packed = [

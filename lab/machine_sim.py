@@ -1,7 +1,8 @@
 """A whole machine in simulation: its drives on their buses, its physics, and a hand on the handle.
 
 Drives are numbered as in the runtime: cable drives in the order of the cables, then base drives in
-that of the rails. A cycle is: frames to and from the buses, then `advance`.
+that of the rails. Frames move while time passes (`run_until`); drives and physics are integrated a
+control cycle at a time.
 """
 
 import random
@@ -10,6 +11,7 @@ from collections.abc import Sequence
 from lab.drives.bus import SimulatedBus
 from lab.drives.drive import Drive
 from lab.drives.setup import Identity, Ratings, Setup
+from lab.drives.wire import Conditions, wires
 from lab.hand import Cue, Hand
 from lab.plant import PlanarPlant
 from lab.strand import Pair
@@ -21,6 +23,9 @@ from model.problem import MachineError, Problem
 PRODUCT, REVISION = 0x61500000, 0x01700000
 """What a simulated drive says it is, where the machine file does not care."""
 MILLI, MICRO = 1e3, 1e6
+ORDINARY = Conditions()
+ROUNDING = 1e-9
+"""By which a sum of cycles may miss a time [s]."""
 
 
 class SimulatedMachine:
@@ -30,10 +35,15 @@ class SimulatedMachine:
     """
 
     def __init__(
-        self, machine: Machine, plant: Plant, task: Task, rails: Sequence[float] | None = None
+        self,
+        machine: Machine,
+        plant: Plant,
+        task: Task,
+        rails: Sequence[float] | None = None,
+        conditions: Conditions = ORDINARY,
     ) -> None:
         """Power-on, the handle at the start of the task, the bases at `rails` [m] (m); without
-        them anywhere, but always at the same places."""
+        them anywhere, but always at the same places. conditions: on the wires."""
         self._axes = axes(machine)
         if not self._axes:
             raise MachineError(
@@ -49,7 +59,11 @@ class SimulatedMachine:
         self._cables = len(machine.cables)
         self._pinion = machine.rail_drive.pinion_radius if machine.rail_drive else 1.0
         self._radians = [axis.sense / axis.radius for axis in self._axes]
-        self.buses = [SimulatedBus(bus.name, []) for bus in machine.buses]
+        self.compute_time = machine.supervision.compute_time
+        """From reading the drives' answers until commands are ready [s]."""
+        self._cycles = 0
+        named = zip(machine.buses, wires(machine, conditions), strict=True)
+        self.buses = [SimulatedBus(bus.name, [], wire) for bus, wire in named]
         self.drives = [self._mount(axis, machine, plant) for axis in self._axes]
         self._strangers: list[Drive] = []
         self._at_power_on = self.world.lengths
@@ -83,8 +97,29 @@ class SimulatedMachine:
         """Lengths of the cables at power-on [m] (n): what the calibration has to find."""
         return list(self._at_power_on)
 
+    @property
+    def time(self) -> float:
+        """Until when time has passed [s]."""
+        return self.buses[0].time
+
+    def run_until(self, time: float) -> None:
+        """Let time pass until then [s]."""
+        while (end := (self._cycles + 1) * self.period) <= time + ROUNDING:
+            self._move_frames(end)
+            self._end_cycle()
+        self._move_frames(time)
+
     def advance(self) -> None:
-        """Let one control cycle pass."""
+        """Let time pass until the end of the control cycle."""
+        self.run_until((self._cycles + 1) * self.period)
+
+    def _move_frames(self, time: float) -> None:
+        for bus in self.buses:
+            bus.run_until(time)
+
+    def _end_cycle(self) -> None:
+        """Let drives and physics catch up with the cycle that is over."""
+        self._cycles += 1
         period = self.period
         torques = [
             drive.step(period) * axis.sense

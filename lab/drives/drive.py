@@ -59,7 +59,7 @@ class Drive:
     """The drive.
 
     Faults to be set by a test: raise_error, refuse, shut_down, silent here; false_statusword,
-    encoder.frozen, encoder.jump and homing.fail in `servo`. A wrong identity is the setup's.
+    encoder.distort, encoder.jump and homing.fail in `servo`. A wrong identity is the setup's.
     """
 
     def __init__(self, setup: Setup, send: Send) -> None:
@@ -84,10 +84,11 @@ class Drive:
         )
         self._restart(setup.boot_time)
 
-    def receive(self, cob: int, data: bytes) -> None:
-        """A frame on the bus, from anyone but this drive."""
+    def receive(self, cob: int, data: bytes, since: float = 0.0) -> None:
+        """A frame on the bus, from anyone but this drive; since: the last turn [s]."""
         if cob == SYNC:
             if self.nmt is Nmt.OPERATIONAL:
+                self.servo.encoder.look(since)
                 self._synchronise()
             return
         handler = self._handlers.get(cob)

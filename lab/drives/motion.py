@@ -36,30 +36,46 @@ class Encoder:
         self.per_radian = increments_per_turn / (2.0 * pi)
         self.count = 0
         self.speed = 0.0  # rad/s, filtered
-        self.frozen = False
-        """Fault: keeps its count whatever the motor does."""
-        self._start: float | None = None
-        self._jumped = 0
+        self.restart()
 
     def restart(self) -> None:
         """Power-on: zero is where the motor stands."""
-        self._start, self._jumped = None, 0
         self.count, self.speed = 0, 0.0
+        self._turned = 0
+        self._angle: float | None = None
+        self._rate = 0.0
+        self._from = self._counted = 0.0
+        self._scale = 1.0
 
     def turn(self, angle: float, seconds: float) -> None:
         """The motor is at an angle [rad], so long after it was last looked at."""
-        if self._start is None:
-            self._start = angle
-        before = self.count
-        if not self.frozen:
-            self.count = floor((angle - self._start) * self.per_radian) + self._jumped
-        rate = (self.count - before) / (self.per_radian * seconds)
+        if self._angle is None:
+            self._angle = self._from = angle
+        before, self._turned = self._turned, self._count_at(angle)
+        self._rate, self._angle = (angle - self._angle) / seconds, angle
+        self.count = self._turned
+        rate = (self._turned - before) / (self.per_radian * seconds)
         share = SPEED_CORNER * seconds
         self.speed += share / (1.0 + share) * (rate - self.speed)
 
+    def look(self, seconds: float) -> None:
+        """Count where the motor is so long after the last turn."""
+        if self._angle is not None:
+            self.count = self._count_at(self._angle + self._rate * seconds)
+
     def jump(self, increments: int) -> None:
         """Fault: so many increments that the motor did not turn."""
-        self._jumped += increments
+        self._counted += increments
+
+    def distort(self, scale: float) -> None:
+        """Fault: from here on it counts so many times what it should: 0 frozen, -1 backwards."""
+        if self._angle is not None:
+            self._counted += (self._angle - self._from) * self.per_radian * self._scale
+            self._from = self._angle
+        self._scale = scale
+
+    def _count_at(self, angle: float) -> int:
+        return floor((angle - self._from) * self.per_radian * self._scale + self._counted)
 
 
 @dataclass

@@ -217,7 +217,7 @@ def encoders(target: Target) -> Iterator[Fault]:
     """A drive measures what is not."""
 
     def freeze(drive: Drive) -> None:
-        drive.servo.encoder.frozen = True
+        drive.servo.encoder.distort(0.0)
 
     def jump(increments: int) -> Strike:
         return target.act(lambda drive: drive.servo.encoder.jump(increments))

@@ -120,7 +120,7 @@ def test_an_encoder_can_freeze_and_jump() -> None:
     bench.drive.servo.encoder.jump(1000)
     bench.wait(0.001)
     assert bench.drive.read(0x6064) == 1000
-    bench.drive.servo.encoder.frozen = True
+    bench.drive.servo.encoder.distort(0.0)
     bench.rotors[0].angle = 9.0
     bench.wait(0.01)
     assert bench.drive.read(0x6064) == 1000
