@@ -94,6 +94,13 @@ def supervision(machine: Machine) -> list[Constant]:
         real("TB_RAIL_SPEED_LIMIT", limits.rail_speed, "m/s"),
         real("TB_RAIL_LAG_LIMIT", limits.rail_lag, "m, between a base and its target"),
         count(machine, "RAIL_LAG_CYCLES", limits.rail_lag_time, "beyond it that are bridged"),
+        count(
+            machine,
+            "BLOCKED_CYCLES",
+            limits.blocked_time,
+            "that a carriage may stand still while it is pushed at its limit",
+        ),
+        real("TB_BLOCKED_TRAVEL", limits.blocked_travel, "m, motion that is none yet"),
     ]
 
 

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine f0e7735e6284fee8, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine e0b07655b2c5ad4a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_DRIVES_H
 #define TB_DRIVES_H
 
@@ -29,6 +29,8 @@
 #define TB_RAIL_SPEED_LIMIT TB_C(3.0) /* m/s */
 #define TB_RAIL_LAG_LIMIT TB_C(0.05) /* m, between a base and its target */
 #define TB_RAIL_LAG_CYCLES 200 /* cycles beyond it that are bridged */
+#define TB_BLOCKED_CYCLES 20 /* cycles that a carriage may stand still while it is pushed at its limit */
+#define TB_BLOCKED_TRAVEL TB_C(0.0002) /* m, motion that is none yet */
 
 /* Base drives */
 #define TB_RAIL_LENGTHS {TB_C(0.7118), TB_C(0.4618), TB_C(0.7118), TB_C(0.4618)} /* m (TB_RAIL_SLOTS) */

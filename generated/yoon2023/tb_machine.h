@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine f0e7735e6284fee8, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine e0b07655b2c5ad4a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon2023"
-#define TB_MACHINE_HASH "f0e7735e6284fee8"
+#define TB_MACHINE_HASH "e0b07655b2c5ad4a"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 97163603ec6312c2, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 97147fbb7a9bba50, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_DRIVES_H
 #define TB_DRIVES_H
 
@@ -29,6 +29,8 @@
 #define TB_RAIL_SPEED_LIMIT TB_C(3.0) /* m/s */
 #define TB_RAIL_LAG_LIMIT TB_C(0.05) /* m, between a base and its target */
 #define TB_RAIL_LAG_CYCLES 200 /* cycles beyond it that are bridged */
+#define TB_BLOCKED_CYCLES 20 /* cycles that a carriage may stand still while it is pushed at its limit */
+#define TB_BLOCKED_TRAVEL TB_C(0.0002) /* m, motion that is none yet */
 
 /* Base drives */
 #define TB_RAIL_LENGTHS {TB_C(0.0)} /* m (TB_RAIL_SLOTS) */

@@ -13,6 +13,9 @@ from lab.drives.node import Frame
 from lab.drives.setup import Setup
 from lab.drives.wire import Wire, is_cyclic, phase_of
 
+ROUNDING = 1e-9
+"""By which a sum of frames may miss a time [s]."""
+
 
 class Mishap(Enum):
     """What can happen to a frame."""
@@ -135,7 +138,7 @@ class SimulatedBus:
     def run_until(self, time: float) -> None:
         """Let frames move until then [s]."""
         while self._on_wire is not None or self._begin_frame(time):
-            if self._free > time:
+            if self._free > time + ROUNDING:
                 break
             self.time = self._free
             sent, self._on_wire = self._on_wire, None
@@ -170,7 +173,7 @@ class SimulatedBus:
         if self._masters:
             first = min(first, self._masters[0].ready)
         start = max(first, self._free)
-        if start >= before:
+        if start >= before - ROUNDING:
             return False
         self._on_wire = self._next(start)
         assert self._wire is not None

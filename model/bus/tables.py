@@ -147,6 +147,13 @@ class Supervision(Table):
     rail_speed: Speed = Field(3.0, description="largest speed of a carriage [m/s]")
     rail_lag: Length = Field(0.05, description="largest distance of a base from its target [m]")
     rail_lag_time: Duration = Field(0.2, description="time beyond it that is bridged [s]")
+    blocked_time: Duration = Field(
+        0.02,
+        description="that a carriage may stand still while it is pushed at its force limit [s]",
+    )
+    blocked_travel: Length = Field(
+        0.2e-3, description="motion within that time that is none yet [m]"
+    )
     rail_torque_rate: TorqueRate = Field(
         200.0, description="largest change of a base motor's torque [N m/s]"
     )

@@ -32,7 +32,10 @@ typedef enum {
     TB_CAUSE_CLOSURE,           /* the measured lengths disagree, no single cable explains it */
     TB_CAUSE_BASE_LOST,         /* drive: a base does not follow its target */
     TB_CAUSE_CONTROLLER,        /* the controller step failed too often: status in `detail` */
-    TB_CAUSE_MEMORY             /* the runtime's own memory was damaged */
+    TB_CAUSE_MEMORY,            /* the runtime's own memory was damaged */
+    TB_CAUSE_BASE_RUNAWAY,      /* drive: its carriage is faster than it may be */
+    TB_CAUSE_BASE_BLOCKED,      /* drive: pushed at its limit, its carriage does not move */
+    TB_CAUSE_WRONG_WAY          /* drive: its position goes against its torque */
 } tb_cause;
 
 /** A cause with what is known about it. */

@@ -147,3 +147,43 @@ tb_blame tb_find_failed_task(const tb_supervisor *supervisor, const tb_observati
     }
     return tb_no_blame();
 }
+
+/* First of some drives that has not done its task; call it when there is one. */
+static size_t first_undone(const tb_supervisor *supervisor, const tb_observation *seen,
+                           tb_drive_range drives)
+{
+    size_t drive = drives.first;
+    while ((drive + 1 < drives.end) &&
+           tb_have_done(supervisor, seen, (tb_drive_range){drive, drive + 1})) {
+        drive++;
+    }
+    return drive;
+}
+
+tb_blame tb_await_mode(const tb_supervisor *supervisor, const tb_observation *seen,
+                       tb_drive_range drives, bool *switched)
+{
+    *switched = tb_have_done(supervisor, seen, drives);
+    tb_blame const blame = tb_find_failed_task(supervisor, seen, drives);
+    if ((blame.cause == TB_CAUSE_NONE) && !*switched && (supervisor->cycles > TB_STATE_TIMEOUT)) {
+        size_t const stuck = first_undone(supervisor, seen, drives);
+        return tb_blame_for(TB_CAUSE_DRIVE_STUCK, stuck, seen->drives[stuck].statusword);
+    }
+    return blame;
+}
+
+tb_blame tb_await_power(const tb_supervisor *supervisor, const tb_observation *seen,
+                        tb_drive_range drives, bool *reached)
+{
+    *reached = tb_have_reached(supervisor, drives);
+    if (!*reached && (supervisor->cycles > TB_STATE_TIMEOUT)) {
+        return tb_blame_stuck(supervisor, seen, drives);
+    }
+    return tb_no_blame();
+}
+
+void tb_power_on(tb_supervisor *supervisor, tb_drive_range drives)
+{
+    tb_order_task(supervisor, drives, TB_TASK_NONE);
+    tb_order_goal(supervisor, drives, TB_GOAL_ENABLED);
+}

@@ -52,6 +52,17 @@ tb_blame tb_blame_stuck(const tb_supervisor *supervisor, const tb_observation *s
 bool tb_have_done(const tb_supervisor *supervisor, const tb_observation *seen,
                   tb_drive_range drives);
 
+/** A switch of modes by some drives: why it failed, else whether all have switched. */
+tb_blame tb_await_mode(const tb_supervisor *supervisor, const tb_observation *seen,
+                       tb_drive_range drives, bool *switched);
+
+/** A power state of some drives: who has not reached it in time, else whether all have. */
+tb_blame tb_await_power(const tb_supervisor *supervisor, const tb_observation *seen,
+                        tb_drive_range drives, bool *reached);
+
+/** Power for some drives that have switched to their mode. */
+void tb_power_on(tb_supervisor *supervisor, tb_drive_range drives);
+
 /** Why the ordered task failed, for the first drive whose did. */
 tb_blame tb_find_failed_task(const tb_supervisor *supervisor, const tb_observation *seen,
                              tb_drive_range drives);

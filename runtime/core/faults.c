@@ -20,6 +20,9 @@ bool tb_is_hard(tb_cause cause)
     case TB_CAUSE_CABLE_BREAK:
     case TB_CAUSE_RUNAWAY:
     case TB_CAUSE_MEMORY:
+    case TB_CAUSE_BASE_RUNAWAY:
+    case TB_CAUSE_BASE_BLOCKED:
+    case TB_CAUSE_WRONG_WAY:
         return true;
     default:
         return false;
@@ -80,10 +83,42 @@ static bool has_jumped(const tb_supervisor *supervisor, size_t drive)
            (supervisor->measurement.tracks[drive].jumped != 0);
 }
 
-static bool runs_away(const tb_supervisor *supervisor, size_t drive)
+static tb_cause find_runaway(const tb_supervisor *supervisor, size_t drive)
 {
-    real_t const speed = tb_measured_speed(&supervisor->measurement, drive);
-    return (drive < TB_CABLES) && (TB_ABS(speed) > TB_CABLE_SPEED_LIMIT);
+    real_t const speed = TB_ABS(tb_measured_speed(&supervisor->measurement, drive));
+    if (drive < TB_CABLES) {
+        return (speed > TB_CABLE_SPEED_LIMIT) ? TB_CAUSE_RUNAWAY : TB_CAUSE_NONE;
+    }
+    return (speed > TB_RAIL_SPEED_LIMIT) ? TB_CAUSE_BASE_RUNAWAY : TB_CAUSE_NONE;
+}
+
+/* Bases that follow a torque are told it, others tell it. */
+static tb_cause look_at_carriage(tb_supervisor *supervisor, const tb_drive_report *report,
+                                 size_t rail)
+{
+    size_t const drive = TB_CABLES + rail;
+    const tb_drive_memory *const base = &supervisor->drives[drive];
+    tb_carriage_motion const motion = {
+        .position = tb_measured_position(&supervisor->measurement, drive),
+        .speed = tb_measured_speed(&supervisor->measurement, drive),
+        .torque = tb_follows_position(drive) ? report->torque : base->sent};
+    if ((supervisor->guide.guided[rail] == 0) || (base->reached == 0)) {
+        tb_carriage_rest(&supervisor->carriages[rail]);
+        return TB_CAUSE_NONE;
+    }
+    return tb_carriage_look(&supervisor->carriages[rail], &motion);
+}
+
+static tb_blame examine_carriages(tb_supervisor *supervisor, const tb_observation *seen)
+{
+    tb_blame worst = tb_no_blame();
+    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+        tb_cause const cause = look_at_carriage(supervisor, &seen->drives[i], i - TB_CABLES);
+        if ((cause != TB_CAUSE_NONE) && (worst.cause == TB_CAUSE_NONE)) {
+            worst = tb_blame_for(cause, i, 0);
+        }
+    }
+    return worst;
 }
 
 /* What leaves no time. */
@@ -106,10 +141,7 @@ static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observat
     if (has_jumped(supervisor, index)) {
         return tb_blame_for(TB_CAUSE_ENCODER_JUMP, index, 0);
     }
-    if (runs_away(supervisor, index)) {
-        return tb_blame_for(TB_CAUSE_RUNAWAY, index, 0);
-    }
-    return tb_no_blame();
+    return tb_blame_for(find_runaway(supervisor, index), index, 0);
 }
 
 static tb_blame examine_drives(const tb_supervisor *supervisor, const tb_observation *seen)
@@ -210,9 +242,13 @@ static tb_blame find_soft_fault(tb_supervisor *supervisor, const tb_observation 
 tb_blame tb_find_fault(tb_supervisor *supervisor, const tb_observation *seen)
 {
     count_deaf_cycles(supervisor, seen);
+    tb_blame const carriage = examine_carriages(supervisor, seen);
     tb_blame blame = find_lost_bus(seen);
     if (blame.cause == TB_CAUSE_NONE) {
         blame = examine_drives(supervisor, seen);
+    }
+    if (blame.cause == TB_CAUSE_NONE) {
+        blame = carriage;
     }
     tb_blame const soft = find_soft_fault(supervisor, seen);
     return (blame.cause == TB_CAUSE_NONE) ? soft : blame;

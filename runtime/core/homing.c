@@ -17,53 +17,16 @@ void tb_begin_home(tb_supervisor *supervisor)
     tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_CABLE_MODE);
 }
 
-/* First of some drives that has not done its task; call it when there is one. */
-static size_t first_undone(const tb_supervisor *supervisor, const tb_observation *seen,
-                           tb_drive_range drives)
-{
-    size_t drive = drives.first;
-    while ((drive + 1 < drives.end) &&
-           tb_have_done(supervisor, seen, (tb_drive_range){drive, drive + 1})) {
-        drive++;
-    }
-    return drive;
-}
-
-/* A switch of modes by some drives: why it failed, else whether all have switched. */
-static tb_blame await_mode(const tb_supervisor *supervisor, const tb_observation *seen,
-                           tb_drive_range drives, bool *switched)
-{
-    *switched = tb_have_done(supervisor, seen, drives);
-    tb_blame const blame = tb_find_failed_task(supervisor, seen, drives);
-    if ((blame.cause == TB_CAUSE_NONE) && !*switched && (supervisor->cycles > TB_STATE_TIMEOUT)) {
-        size_t const stuck = first_undone(supervisor, seen, drives);
-        return tb_blame_for(TB_CAUSE_DRIVE_STUCK, stuck, seen->drives[stuck].statusword);
-    }
-    return blame;
-}
-
-/* A power state of some drives: who has not reached it in time, else whether all have. */
-static tb_blame await_power(const tb_supervisor *supervisor, const tb_observation *seen,
-                            tb_drive_range drives, bool *reached)
-{
-    *reached = tb_have_reached(supervisor, drives);
-    if (!*reached && (supervisor->cycles > TB_STATE_TIMEOUT)) {
-        return tb_blame_stuck(supervisor, seen, drives);
-    }
-    return tb_no_blame();
-}
-
 static void power_on(tb_supervisor *supervisor, tb_drive_range drives, tb_phase next)
 {
-    tb_order_task(supervisor, drives, TB_TASK_NONE);
-    tb_order_goal(supervisor, drives, TB_GOAL_ENABLED);
+    tb_power_on(supervisor, drives);
     tb_enter(supervisor, TB_STATE_HOME, next);
 }
 
 static tb_blame switch_cables(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool switched;
-    tb_blame const blame = await_mode(supervisor, seen, tb_cable_drives, &switched);
+    tb_blame const blame = tb_await_mode(supervisor, seen, tb_cable_drives, &switched);
     if (switched) {
         power_on(supervisor, tb_cable_drives, TB_PHASE_CABLE_POWER);
     }
@@ -73,14 +36,14 @@ static tb_blame switch_cables(tb_supervisor *supervisor, const tb_observation *s
 static tb_blame power_cables(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, tb_cable_drives, &reached);
+    tb_blame const blame = tb_await_power(supervisor, seen, tb_cable_drives, &reached);
     if (reached) {
         tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_TIGHTEN);
     }
     return blame;
 }
 
-static void begin_bases(tb_supervisor *supervisor)
+void tb_begin_bases(tb_supervisor *supervisor)
 {
     for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
         tb_order_mode(supervisor, i, TB_MODE_HOMING);
@@ -111,10 +74,8 @@ static tb_blame tighten(tb_supervisor *supervisor)
         tight = tight && (TB_ABS(speed) < TIGHT_SPEED);
     }
     supervisor->calm = tight ? (supervisor->calm + 1) : 0;
-    if ((supervisor->calm >= TIGHT_CYCLES) && (TB_RAILS > 0)) {
-        begin_bases(supervisor);
-    } else if (supervisor->calm >= TIGHT_CYCLES) {
-        tb_begin_sweep(supervisor);
+    if (supervisor->calm >= TIGHT_CYCLES) {
+        tb_begin_directions(supervisor);
     } else if (supervisor->cycles > TB_STATE_TIMEOUT) {
         return tb_blame_for(TB_CAUSE_CABLE_SLACK, fastest(supervisor), 0);
     }
@@ -124,7 +85,7 @@ static tb_blame tighten(tb_supervisor *supervisor)
 static tb_blame switch_to_homing(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool switched;
-    tb_blame const blame = await_mode(supervisor, seen, tb_base_drives, &switched);
+    tb_blame const blame = tb_await_mode(supervisor, seen, tb_base_drives, &switched);
     if (switched) {
         power_on(supervisor, tb_base_drives, TB_PHASE_BASE_POWER);
     }
@@ -134,7 +95,7 @@ static tb_blame switch_to_homing(tb_supervisor *supervisor, const tb_observation
 static tb_blame power_homing(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, tb_base_drives, &reached);
+    tb_blame const blame = tb_await_power(supervisor, seen, tb_base_drives, &reached);
     if (reached) {
         for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
             supervisor->drives[i].ran = 0;
@@ -183,7 +144,7 @@ static tb_blame run_homing(tb_supervisor *supervisor, const tb_observation *seen
 static tb_blame await_release(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, tb_base_drives, &reached);
+    tb_blame const blame = tb_await_power(supervisor, seen, tb_base_drives, &reached);
     if (reached) {
         for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
             tb_measurement_forget(&supervisor->measurement, i);
@@ -197,7 +158,7 @@ static tb_blame await_release(tb_supervisor *supervisor, const tb_observation *s
 static tb_blame switch_to_work(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool switched;
-    tb_blame const blame = await_mode(supervisor, seen, tb_base_drives, &switched);
+    tb_blame const blame = tb_await_mode(supervisor, seen, tb_base_drives, &switched);
     if (switched) {
         power_on(supervisor, tb_base_drives, TB_PHASE_BASE_WORK_POWER);
     }
@@ -207,7 +168,7 @@ static tb_blame switch_to_work(tb_supervisor *supervisor, const tb_observation *
 static tb_blame power_work(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool reached;
-    tb_blame const blame = await_power(supervisor, seen, tb_base_drives, &reached);
+    tb_blame const blame = tb_await_power(supervisor, seen, tb_base_drives, &reached);
     if (reached) {
         for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
             tb_guide_take(&supervisor->guide, i - TB_CABLES,
@@ -245,10 +206,16 @@ tb_blame tb_home(tb_supervisor *supervisor, const tb_observation *seen)
         return power_cables(supervisor, seen);
     case TB_PHASE_TIGHTEN:
         return tighten(supervisor);
+    case TB_PHASE_TRY_CABLES:
+    case TB_PHASE_TRY_MODE:
+    case TB_PHASE_TRY_POWER:
+    case TB_PHASE_TRY_BASES:
+    case TB_PHASE_TRY_RELEASE:
+        return tb_try_directions(supervisor, seen);
     case TB_PHASE_GATHER:
     case TB_PHASE_SWEEP:
     case TB_PHASE_SOLVE:
-        return tb_sweep(supervisor, seen);
+        return tb_sweep(supervisor);
     default:
         tb_hold_cables(supervisor);
         return home_bases(supervisor, seen);

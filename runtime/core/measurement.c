@@ -71,6 +71,26 @@ void tb_measurement_take(tb_measurement *measurement, const tb_drive_report repo
     }
 }
 
+/* Its message answers the last SYNC: there was none since. */
+static bool is_current(const tb_measurement *measurement, size_t drive)
+{
+    return measurement->tracks[drive].age < tb_buses[tb_drives[drive].bus].divider;
+}
+
+size_t tb_measurement_missing(const tb_measurement *measurement)
+{
+    size_t drive = 0;
+    while ((drive + 1 < TB_DRIVES) && is_current(measurement, drive)) {
+        drive++;
+    }
+    return drive;
+}
+
+bool tb_measurement_is_complete(const tb_measurement *measurement)
+{
+    return is_current(measurement, tb_measurement_missing(measurement));
+}
+
 real_t tb_measured_position(const tb_measurement *measurement, size_t drive)
 {
     const tb_track *const track = &measurement->tracks[drive];

@@ -8,6 +8,7 @@
 #ifndef TB_MEASUREMENT_H
 #define TB_MEASUREMENT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "drive.h"
@@ -33,6 +34,12 @@ void tb_measurement_forget(tb_measurement *measurement, size_t drive);
 /** Take over this cycle's reports. skipped: cycles that were left out since the last one. */
 void tb_measurement_take(tb_measurement *measurement, const tb_drive_report reports[TB_DRIVES],
                          uint32_t skipped);
+
+/** Whether every drive has answered the last SYNC of its bus, in this cycle or before. */
+bool tb_measurement_is_complete(const tb_measurement *measurement);
+
+/** A drive that has not; call it when there is one. */
+size_t tb_measurement_missing(const tb_measurement *measurement);
 
 /** Position of a drive in this cycle [m]; always finite. */
 real_t tb_measured_position(const tb_measurement *measurement, size_t drive);

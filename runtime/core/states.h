@@ -26,13 +26,18 @@ tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen);
 tb_blame tb_identify(tb_supervisor *supervisor, const tb_observation *seen);
 tb_blame tb_configure(tb_supervisor *supervisor, const tb_observation *seen);
 
+/* direction.c: HOME, until every encoder's direction is known */
+void tb_begin_directions(tb_supervisor *supervisor);
+tb_blame tb_try_directions(tb_supervisor *supervisor, const tb_observation *seen);
+
 /* homing.c: HOME, until the bases know where they are */
 void tb_begin_home(tb_supervisor *supervisor);
+void tb_begin_bases(tb_supervisor *supervisor);
 tb_blame tb_home(tb_supervisor *supervisor, const tb_observation *seen);
 
 /* sweep.c: HOME, until the cables' lengths are known */
 void tb_begin_sweep(tb_supervisor *supervisor);
-tb_blame tb_sweep(tb_supervisor *supervisor, const tb_observation *seen);
+tb_blame tb_sweep(tb_supervisor *supervisor);
 
 /* work.c: TENSION, RUN */
 void tb_begin_tension(tb_supervisor *supervisor);

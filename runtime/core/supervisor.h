@@ -3,7 +3,7 @@
  *   INIT        reset the drives' communication; every drive of the machine file must answer
  *   IDENTIFY    identity, ratings: as the machine file says
  *   CONFIGURE   write and read back every drive's contract; then wait for TB_REQUEST_ARM, no torque
- *   HOME        cables at T_min; bases to their mechanical stops, all at once (Yoon III-E), so that
+ *   HOME        cables at T_min; every encoder's direction: direction.h; bases to their mechanical stops, all at once (Yoon III-E), so that
  *               no base without torque is pulled away while another one homes;
  *               then the cables' zero: calibration.h
  *   TENSION     controller on, forces of the application off; closure must hold
@@ -54,6 +54,11 @@ typedef enum {
     TB_PHASE_CABLE_MODE,   /* cable drives to torque mode */
     TB_PHASE_CABLE_POWER,
     TB_PHASE_TIGHTEN,      /* slack is wound in, to T_min */
+    TB_PHASE_TRY_CABLES,   /* which way the cables' encoders count: direction.h */
+    TB_PHASE_TRY_MODE,     /* base drives to torque mode */
+    TB_PHASE_TRY_POWER,
+    TB_PHASE_TRY_BASES,    /* which way the bases' encoders count */
+    TB_PHASE_TRY_RELEASE,
     TB_PHASE_BASE_MODE,    /* base drives to homing mode */
     TB_PHASE_BASE_POWER,
     TB_PHASE_BASE_HOMING,  /* bases run to their mechanical stops */

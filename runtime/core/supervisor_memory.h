@@ -3,6 +3,8 @@
 #ifndef TB_SUPERVISOR_MEMORY_H
 #define TB_SUPERVISOR_MEMORY_H
 
+#include "carriage.h"
+#include "direction.h"
 #include "guide.h"
 #include "measurement.h"
 #include "supervisor.h"
@@ -32,6 +34,8 @@ struct tb_supervisor {
     tb_drive_memory drives[TB_DRIVES];
     uint16_t corrupt[TB_BUSES]; /* faults.c */
     tb_measurement measurement;
+    tb_trial trial;
+    tb_carriage carriages[TB_RAIL_SLOTS];
     tb_guide guide;
     tb_calibration calibration;
     tb_watch watch;

@@ -25,6 +25,12 @@ static tb_blame blame_calibration(tb_calibration_progress progress)
     return tb_blame_for(TB_CAUSE_CALIBRATION, 0, (uint32_t)progress);
 }
 
+static tb_blame blame_missing_answers(const tb_supervisor *supervisor)
+{
+    size_t const missing = tb_measurement_missing(&supervisor->measurement);
+    return tb_blame_for(TB_CAUSE_CALIBRATION, missing, (uint32_t)TB_CALIBRATION_STARVED);
+}
+
 #if TB_RAILS > 0
 
 /* Parabolas instead of a cosine: period 1, 1 at 0, slope 0 there. */
@@ -58,19 +64,10 @@ static void pull_in_turn(tb_supervisor *supervisor, real_t share)
     }
 }
 
-static bool are_all_fresh(const tb_observation *seen)
-{
-    bool fresh = true;
-    for (size_t i = 0; i < TB_DRIVES; i++) {
-        fresh = fresh && (seen->drives[i].fresh != 0);
-    }
-    return fresh;
-}
-
-static bool is_time_for_sample(const tb_supervisor *supervisor, const tb_observation *seen)
+static bool is_time_for_sample(const tb_supervisor *supervisor)
 {
     uint32_t const due = (supervisor->calibration.count + 1) * TB_CALIBRATION_CYCLES;
-    return (supervisor->cycles >= due) && are_all_fresh(seen);
+    return supervisor->cycles >= due;
 }
 
 static tb_blame gather(tb_supervisor *supervisor)
@@ -111,9 +108,8 @@ static tb_blame swing(tb_supervisor *supervisor)
 }
 
 /* Far enough from the last sample: another pose. */
-static bool is_time_for_sample(const tb_supervisor *supervisor, const tb_observation *seen)
+static bool is_time_for_sample(const tb_supervisor *supervisor)
 {
-    (void)seen;
     if (supervisor->calibration.count == 0) {
         return true;
     }
@@ -138,14 +134,20 @@ static void take_sample(tb_supervisor *supervisor)
     tb_calibration_add(&supervisor->calibration, wound, rails);
 }
 
-static tb_blame measure(tb_supervisor *supervisor, const tb_observation *seen)
+/* A pose is measured in a cycle in which every drive has answered the last SYNC of its bus: answers of
+ * a slower bus need not come in one and the same cycle. */
+static tb_blame measure(tb_supervisor *supervisor)
 {
     tb_blame const blame = swing(supervisor);
-    if (is_time_for_sample(supervisor, seen)) {
+    bool const complete = tb_measurement_is_complete(&supervisor->measurement);
+    supervisor->calm = complete ? 0 : (supervisor->calm + 1);
+    if (is_time_for_sample(supervisor) && complete) {
         take_sample(supervisor);
     }
     if (supervisor->calibration.count >= TB_CALIBRATION_SAMPLES) {
         tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_SOLVE);
+    } else if (supervisor->calm > TB_STATE_TIMEOUT) {
+        return blame_missing_answers(supervisor);
     } else if (supervisor->cycles > TB_HOMING_TIMEOUT) {
         return blame_calibration(TB_CALIBRATION_UNOBSERVABLE);
     }
@@ -165,13 +167,13 @@ static tb_blame solve(tb_supervisor *supervisor)
     return blame;
 }
 
-tb_blame tb_sweep(tb_supervisor *supervisor, const tb_observation *seen)
+tb_blame tb_sweep(tb_supervisor *supervisor)
 {
     switch (supervisor->phase) {
     case TB_PHASE_GATHER:
         return gather(supervisor);
     case TB_PHASE_SWEEP:
-        return measure(supervisor, seen);
+        return measure(supervisor);
     default:
         return solve(supervisor);
     }

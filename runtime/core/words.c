@@ -23,6 +23,11 @@ static const char *const phases[] = {
     [TB_PHASE_CABLE_MODE] = "cable drives to torque mode",
     [TB_PHASE_CABLE_POWER] = "powering the cable drives",
     [TB_PHASE_TIGHTEN] = "winding in slack",
+    [TB_PHASE_TRY_CABLES] = "trying which way the cables' encoders count",
+    [TB_PHASE_TRY_MODE] = "base drives to torque mode",
+    [TB_PHASE_TRY_POWER] = "powering the base drives for a trial",
+    [TB_PHASE_TRY_BASES] = "trying which way the bases' encoders count",
+    [TB_PHASE_TRY_RELEASE] = "base drives off",
     [TB_PHASE_BASE_MODE] = "base drives to homing mode",
     [TB_PHASE_BASE_POWER] = "powering the base drives",
     [TB_PHASE_BASE_HOMING] = "bases run to their stops",
@@ -67,6 +72,9 @@ static const char *const causes[] = {
     [TB_CAUSE_BASE_LOST] = "its base does not follow",
     [TB_CAUSE_CONTROLLER] = "the controller step failed too often",
     [TB_CAUSE_MEMORY] = "the runtime's memory was damaged",
+    [TB_CAUSE_BASE_RUNAWAY] = "its carriage is faster than it may be",
+    [TB_CAUSE_BASE_BLOCKED] = "its carriage does not move, however hard it is pushed",
+    [TB_CAUSE_WRONG_WAY] = "its position goes against its torque",
 };
 
 static const char *const culprits[] = {
@@ -97,6 +105,9 @@ static const char *const culprits[] = {
     [TB_CAUSE_BASE_LOST] = "drive",
     [TB_CAUSE_CONTROLLER] = "",
     [TB_CAUSE_MEMORY] = "",
+    [TB_CAUSE_BASE_RUNAWAY] = "drive",
+    [TB_CAUSE_BASE_BLOCKED] = "drive",
+    [TB_CAUSE_WRONG_WAY] = "drive",
 };
 
 static const char *const advice[] = {
@@ -127,6 +138,9 @@ static const char *const advice[] = {
     [TB_CAUSE_BASE_LOST] = "look what blocks the carriage",
     [TB_CAUSE_CONTROLLER] = "look for a force that is no number",
     [TB_CAUSE_MEMORY] = "report it: computer or program are at fault",
+    [TB_CAUSE_BASE_RUNAWAY] = "check its encoder and its belt",
+    [TB_CAUSE_BASE_BLOCKED] = "look what blocks the carriage, then check its encoder and its belt",
+    [TB_CAUSE_WRONG_WAY] = "check the wiring of encoder and motor, and `direction` in the machine file",
 };
 
 #define COUNT(texts) (sizeof(texts) / sizeof((texts)[0]))
