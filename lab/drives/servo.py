@@ -48,6 +48,8 @@ class Servo:
         self.torque = 0.0  # N m
         self.false_statusword: int | None = None
         """Fault: the statusword that is reported, whatever the state."""
+        self.given = 1.0
+        """Fault: the motor gives so many times the torque that is told and reported."""
         self._objects, self._signals = objects, objects.signals
         self._inertia = ratings.inertia
         self._ramp: Ramp | None = None
@@ -245,7 +247,7 @@ class Servo:
             if self.power is Power.ENABLED:
                 self._begin_mode()
         self.torque = self._drive_motor(seconds) if self.power in MOVING else 0.0
-        return self.torque
+        return self.torque * self.given
 
     def following_error(self) -> bool:
         """Whether the target is further away than object 6065 allows."""

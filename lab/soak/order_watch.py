@@ -1,4 +1,4 @@
-"""Compares what arrives at the drives with what the supervisor ordered in the same cycle."""
+"""Compares what has arrived at the drives by a SYNC with what the supervisor ordered since the last."""
 
 from collections.abc import Sequence
 
@@ -25,10 +25,12 @@ class _Told:
         self.layout = POSITION_SETPOINT if position else TORQUE_SETPOINT
         self.unit = axis.metres_per_increment if position else axis.torque_per_permille
         self.value: int | None = None
+        self.ordered: tuple[int, float] | None = None
+        """Cycle and order that must have arrived by the next SYNC."""
 
 
 class OrderWatch:
-    """Of a machine at work: every order must arrive in its own cycle, and as it was given.
+    """Of a machine at work: every order must arrive before the next SYNC of its bus, as it was given.
 
     Call it after every cycle. findings: what was wrong, in words; count: how often.
     """
@@ -49,11 +51,10 @@ class OrderWatch:
         """A cycle is over, in which this was ordered [N m], or [m] of a drive in position mode."""
         for told, order in zip(self._told, ordered, strict=True):
             if self._synced[told.bus]:
-                self._compare(cycle, told, order)
-            told.value = None
+                told.ordered = cycle, order
         self._synced = [False] * len(self._synced)
 
-    def _compare(self, cycle: int, told: _Told, order: float) -> None:
+    def _compare(self, told: _Told, cycle: int, order: float) -> None:
         if told.value is None:
             self._find(f"cycle {cycle}: {told.name}: no setpoint arrived")
         elif not 0.0 <= abs(order) - abs(told.value * told.unit) < abs(told.unit):
@@ -65,11 +66,20 @@ class OrderWatch:
     def _hear(self, bus: int, frame: Frame) -> None:
         cob, data = frame
         if cob == SYNC:
-            self._synced[bus] = True
+            self._end_interval(bus)
             return
         told = self._of_cob.get((bus, cob))
         if told is not None and len(data) == told.layout.size:
             told.value = told.layout.unpack(data)[1]
+
+    def _end_interval(self, bus: int) -> None:
+        """A SYNC takes over what has arrived since the one before."""
+        self._synced[bus] = True
+        for told in self._told:
+            if told.bus == bus:
+                if told.ordered is not None:
+                    self._compare(told, *told.ordered)
+                told.value = None
 
     def _find(self, what: str) -> None:
         self.count += 1

@@ -40,8 +40,7 @@ typedef enum {
     TB_CALIBRATION_BUSY = 0,     /* call again in the next cycle */
     TB_CALIBRATION_DONE,
     TB_CALIBRATION_UNOBSERVABLE, /* the poses do not tell the zeros */
-    TB_CALIBRATION_OPEN,         /* the lengths of a pose do not close: TB_CLOSURE_LIMIT */
-    TB_CALIBRATION_STARVED       /* no pose could be measured: some answer was always missing */
+    TB_CALIBRATION_OPEN          /* the lengths of a pose do not close: TB_CLOSURE_LIMIT */
 } tb_calibration_progress;
 
 /** The measurements and the estimate. */

@@ -35,7 +35,8 @@ typedef enum {
     TB_CAUSE_MEMORY,            /* the runtime's own memory was damaged */
     TB_CAUSE_BASE_RUNAWAY,      /* drive: its carriage is faster than it may be */
     TB_CAUSE_BASE_BLOCKED,      /* drive: pushed at its limit, its carriage does not move */
-    TB_CAUSE_WRONG_WAY          /* drive: its position goes against its torque */
+    TB_CAUSE_WRONG_WAY,         /* drive: its position goes against its torque */
+    TB_CAUSE_ANSWERS_INCOMPLETE /* drive: misses the cycles in which the others have answered */
 } tb_cause;
 
 /** A cause with what is known about it. */

@@ -51,33 +51,37 @@ void tb_begin_bases(tb_supervisor *supervisor)
     tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_BASE_MODE);
 }
 
-/* The cable that winds in fastest. */
-static size_t fastest(const tb_supervisor *supervisor)
+static real_t pace_of(const tb_supervisor *supervisor, size_t cable)
+{
+    return TB_ABS(tb_measured_speed(&supervisor->measurement, cable));
+}
+
+/* The cable that moves fastest: one that winds in has slack still, one that is let out by a motor which
+ * ought to wind it in turns the wrong way. */
+static tb_blame blame_fastest(const tb_supervisor *supervisor)
 {
     size_t found = 0;
     for (size_t i = 1; i < TB_CABLES; i++) {
-        if (tb_measured_speed(&supervisor->measurement, i) >
-            tb_measured_speed(&supervisor->measurement, found)) {
-            found = i;
-        }
+        found = (pace_of(supervisor, i) > pace_of(supervisor, found)) ? i : found;
     }
-    return found;
+    bool const winds_in = tb_measured_speed(&supervisor->measurement, found) >= 0;
+    return tb_blame_for(winds_in ? TB_CAUSE_CABLE_SLACK : TB_CAUSE_WRONG_WAY, found, 0);
 }
 
 static tb_blame tighten(tb_supervisor *supervisor)
 {
     bool tight = true;
     for (size_t i = 0; i < TB_CABLES; i++) {
-        real_t const speed = tb_measured_speed(&supervisor->measurement, i);
-        real_t const share = TB_C(1.0) - (speed / TIGHTEN_SPEED);
-        tb_pull(supervisor, i, TB_TENSION_MIN * tb_min(tb_max(share, TB_C(0.0)), TB_C(1.0)));
-        tight = tight && (TB_ABS(speed) < TIGHT_SPEED);
+        real_t const pace = pace_of(supervisor, i);
+        real_t const share = TB_C(1.0) - (pace / TIGHTEN_SPEED);
+        tb_pull(supervisor, i, TB_TENSION_MIN * tb_max(share, TB_C(0.0)));
+        tight = tight && (pace < TIGHT_SPEED);
     }
     supervisor->calm = tight ? (supervisor->calm + 1) : 0;
     if (supervisor->calm >= TIGHT_CYCLES) {
         tb_begin_directions(supervisor);
     } else if (supervisor->cycles > TB_STATE_TIMEOUT) {
-        return tb_blame_for(TB_CAUSE_CABLE_SLACK, fastest(supervisor), 0);
+        return blame_fastest(supervisor);
     }
     return tb_no_blame();
 }

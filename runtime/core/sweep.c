@@ -25,12 +25,6 @@ static tb_blame blame_calibration(tb_calibration_progress progress)
     return tb_blame_for(TB_CAUSE_CALIBRATION, 0, (uint32_t)progress);
 }
 
-static tb_blame blame_missing_answers(const tb_supervisor *supervisor)
-{
-    size_t const missing = tb_measurement_missing(&supervisor->measurement);
-    return tb_blame_for(TB_CAUSE_CALIBRATION, missing, (uint32_t)TB_CALIBRATION_STARVED);
-}
-
 #if TB_RAILS > 0
 
 /* Parabolas instead of a cosine: period 1, 1 at 0, slope 0 there. */
@@ -147,7 +141,8 @@ static tb_blame measure(tb_supervisor *supervisor)
     if (supervisor->calibration.count >= TB_CALIBRATION_SAMPLES) {
         tb_enter(supervisor, TB_STATE_HOME, TB_PHASE_SOLVE);
     } else if (supervisor->calm > TB_STATE_TIMEOUT) {
-        return blame_missing_answers(supervisor);
+        size_t const missing = tb_measurement_missing(&supervisor->measurement);
+        return tb_blame_for(TB_CAUSE_ANSWERS_INCOMPLETE, missing, 0);
     } else if (supervisor->cycles > TB_HOMING_TIMEOUT) {
         return blame_calibration(TB_CALIBRATION_UNOBSERVABLE);
     }

@@ -25,9 +25,9 @@ static const char *const phases[] = {
     [TB_PHASE_TIGHTEN] = "winding in slack",
     [TB_PHASE_TRY_CABLES] = "trying which way the cables' encoders count",
     [TB_PHASE_TRY_MODE] = "base drives to torque mode",
-    [TB_PHASE_TRY_POWER] = "powering the base drives for a trial",
+    [TB_PHASE_TRY_POWER] = "powering the base drives for the trial",
     [TB_PHASE_TRY_BASES] = "trying which way the bases' encoders count",
-    [TB_PHASE_TRY_RELEASE] = "base drives off",
+    [TB_PHASE_TRY_RELEASE] = "base drives off after the trial",
     [TB_PHASE_BASE_MODE] = "base drives to homing mode",
     [TB_PHASE_BASE_POWER] = "powering the base drives",
     [TB_PHASE_BASE_HOMING] = "bases run to their stops",
@@ -75,6 +75,7 @@ static const char *const causes[] = {
     [TB_CAUSE_BASE_RUNAWAY] = "its carriage is faster than it may be",
     [TB_CAUSE_BASE_BLOCKED] = "its carriage does not move, however hard it is pushed",
     [TB_CAUSE_WRONG_WAY] = "its position goes against its torque",
+    [TB_CAUSE_ANSWERS_INCOMPLETE] = "has never answered when all the others have",
 };
 
 static const char *const culprits[] = {
@@ -108,6 +109,7 @@ static const char *const culprits[] = {
     [TB_CAUSE_BASE_RUNAWAY] = "drive",
     [TB_CAUSE_BASE_BLOCKED] = "drive",
     [TB_CAUSE_WRONG_WAY] = "drive",
+    [TB_CAUSE_ANSWERS_INCOMPLETE] = "drive",
 };
 
 static const char *const advice[] = {
@@ -141,6 +143,7 @@ static const char *const advice[] = {
     [TB_CAUSE_BASE_RUNAWAY] = "check its encoder and its belt",
     [TB_CAUSE_BASE_BLOCKED] = "look what blocks the carriage, then check its encoder and its belt",
     [TB_CAUSE_WRONG_WAY] = "check the wiring of encoder and motor, and `direction` in the machine file",
+    [TB_CAUSE_ANSWERS_INCOMPLETE] = "check the bus load, its cable and the adapter",
 };
 
 #define COUNT(texts) (sizeof(texts) / sizeof((texts)[0]))

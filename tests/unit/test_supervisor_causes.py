@@ -99,6 +99,10 @@ ELSEWHERE = {
     "CLOSURE",
     "BASE_LOST",
     "CONTROLLER",
+    "BASE_RUNAWAY",
+    "BASE_BLOCKED",
+    "WRONG_WAY",
+    "ANSWERS_INCOMPLETE",
 }
 """Tested one by one, here or in test_supervisor.py."""
 
@@ -306,16 +310,73 @@ def test_a_base_that_does_not_follow_is_lost(
 ) -> None:
     machine, saved = moments
     machine.restore(saved[moment])
+    steps = itertools.count()
     held = machine.rails[2]
 
-    def hold(_: Observation) -> None:
-        machine.rails[2], machine.rates[2] = held, 0.0
+    def creep(_: Observation) -> None:
+        machine.rails[2], machine.rates[2] = held + 2e-5 * abs(next(steps) % 100 - 50), 0.0
         if moment == "RUN NONE":
             machine.handle = (machine.handle[0] + 5e-5, machine.handle[1])
 
-    found = ended(machine, hold, cycles)
+    found = ended(machine, creep, cycles)
     machine.handle = (0.39, 0.21)
     assert found == ("SOFT_STOP", "BASE_LOST", CABLES + 2)
+
+
+@pytest.mark.parametrize("moment", ["HOME GATHER", "TENSION APPROACH", "RUN NONE"])
+def test_a_base_that_is_pushed_in_vain_is_blocked(
+    moments: tuple[Machine, Moments], moment: str
+) -> None:
+    machine, saved = moments
+    machine.restore(saved[moment])
+    held = machine.rails[2]
+    pushed: list[bool] = []
+
+    def hold(_: Observation) -> None:
+        machine.rails[2], machine.rates[2] = held, 0.0
+        pushed.append(abs(machine.orders.drives[CABLES + 2].torque) > 0.95 * NUMBERS["TB_RAIL_TORQUE_LIMIT"])
+        if moment == "RUN NONE":
+            machine.handle = (machine.handle[0] + 5e-5, machine.handle[1])
+
+    found = ended(machine, hold, 2000)
+    machine.handle = (0.39, 0.21)
+    assert found == ("HARD_STOP", "BASE_BLOCKED", CABLES + 2)
+    assert sum(pushed) == int(NUMBERS["TB_BLOCKED_CYCLES"]) + 1
+
+
+@pytest.mark.parametrize("moment", ["HOME SWEEP", "TENSION APPROACH", "RUN NONE"])
+def test_a_base_that_goes_against_its_force_is_stopped_at_once(
+    moments: tuple[Machine, Moments], moment: str
+) -> None:
+    machine, saved = moments
+    machine.restore(saved[moment])
+    here = machine.rails[1]
+
+    def mirror(seen: Observation) -> None:
+        seen.drives[CABLES + 1].position = 2 * here - machine.rails[1]
+
+    found = ended(machine, mirror, 500)
+    assert found == ("HARD_STOP", "WRONG_WAY", CABLES + 1)
+    assert abs(machine.rates[1]) < 0.3 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
+    assert abs(machine.rails[1] - here) < 0.01
+
+
+@pytest.mark.parametrize("moment", ["CONFIGURE READY", "HOME TIGHTEN"])
+def test_a_base_that_becomes_too_fast_bit_by_bit_is_stopped(
+    moments: tuple[Machine, Moments], moment: str
+) -> None:
+    machine, saved = moments
+    machine.restore(saved[moment])
+    speed = itertools.count(step=0.02)
+    away = [0.0]
+
+    def run(seen: Observation) -> None:
+        away[0] += next(speed) * supervised.PERIOD
+        seen.drives[CABLES + 3].position = machine.position(CABLES + 3) + away[0]
+
+    _, cause, culprit = ended(machine, run, 300)
+    assert (cause, culprit) == ("BASE_RUNAWAY", CABLES + 3)
+    assert next(speed) < NUMBERS["TB_RAIL_SPEED_LIMIT"] + 0.1
 
 
 def test_a_base_that_never_arrives_ends_the_approach(moments: tuple[Machine, Moments]) -> None:
@@ -371,9 +432,28 @@ def blind(seen: Observation) -> None:
 def test_too_few_measurements_end_the_calibration(moments: tuple[Machine, Moments]) -> None:
     machine, saved = moments
     machine.restore(saved["HOME SWEEP"])
-    cycles = int(NUMBERS["TB_HOMING_TIMEOUT"]) + 5
-    assert ended(machine, blind, cycles) == ("SOFT_STOP", "CALIBRATION", 0)
-    assert machine.orders.detail == 2
+    cycles = int(NUMBERS["TB_STATE_TIMEOUT"]) + 5
+    assert ended(machine, blind, cycles) == ("SOFT_STOP", "ANSWERS_INCOMPLETE", CULPRIT)
+
+
+def test_answers_of_a_slower_bus_need_not_come_in_one_cycle(
+    moments: tuple[Machine, Moments],
+) -> None:
+    # The last of four base drives answers after the compute phase, in the next control cycle.
+    machine, saved = moments
+    machine.restore(saved["HOME SWEEP"])
+    kept: dict[str, Any] = {}
+
+    def delay(seen: Observation) -> None:
+        report = seen.drives[CABLES + 3]
+        if report.fresh:
+            kept.update(position=report.position, power=report.power)
+            report.fresh = 0
+        else:
+            report.fresh, report.age = 1, 1
+
+    machine.run(20_000, lambda orders: orders.state == State.RUN, delay)
+    assert np.allclose(machine.orders.controller.pose, machine.handle, atol=1e-4)
 
 
 def test_lengths_that_do_not_close_end_the_calibration(moments: tuple[Machine, Moments]) -> None:
