@@ -1,9 +1,9 @@
 """The compiled runtime and a simulated machine, cycle by cycle, in simulated time.
 
 A cycle is that of the control loop: SYNC at its begin; a compute phase later the master reads what
-has arrived by then, and its setpoints leave a compute time after that. Frames take their time on the
-wire. Nothing depends on a clock: two runs give the same frames. A Lockstep can be copied at any cycle
-by os.fork().
+has arrived by then, and its setpoints leave a compute time after that. Frames take their time on
+the wire. Nothing depends on a clock: two runs give the same frames. A Lockstep can be copied at any
+cycle by os.fork().
 """
 
 import ctypes

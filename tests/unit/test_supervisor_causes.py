@@ -13,6 +13,7 @@ from supervised import CABLES, FAILED, STOP, Failure, Machine, Moments, Observat
 NUMBERS = constants(supervised.STOCK)
 TABLE = {row.cause: row for row in rows()}
 Spoil = Callable[[Observation], None]
+RAIL_TORQUE = NUMBERS["TB_RAIL_TORQUE_LIMIT"]
 CULPRIT = 1
 """The cable, drive or bus that is spoiled."""
 
@@ -334,7 +335,7 @@ def test_a_base_that_is_pushed_in_vain_is_blocked(
 
     def hold(_: Observation) -> None:
         machine.rails[2], machine.rates[2] = held, 0.0
-        pushed.append(abs(machine.orders.drives[CABLES + 2].torque) > 0.95 * NUMBERS["TB_RAIL_TORQUE_LIMIT"])
+        pushed.append(abs(machine.orders.drives[CABLES + 2].torque) > 0.95 * RAIL_TORQUE)
         if moment == "RUN NONE":
             machine.handle = (machine.handle[0] + 5e-5, machine.handle[1])
 
@@ -342,6 +343,25 @@ def test_a_base_that_is_pushed_in_vain_is_blocked(
     machine.handle = (0.39, 0.21)
     assert found == ("HARD_STOP", "BASE_BLOCKED", CABLES + 2)
     assert sum(pushed) == int(NUMBERS["TB_BLOCKED_CYCLES"]) + 1
+
+
+def test_bases_that_follow_positions_are_judged_by_the_torque_they_tell() -> None:
+    machine, saved = supervised.moments("position")
+    machine.restore(saved["RUN NONE"])
+
+    def tell(torque: float, swap: bool) -> Spoil:
+        signs = itertools.cycle((1, 1, -1, -1)) if swap else itertools.repeat(1)
+
+        def spoil(seen: Observation) -> None:
+            seen.drives[CABLES + 1].torque = seen.drives[CABLES + 2].torque = torque * next(signs)
+
+        return spoil
+
+    machine.run(200, spoil=tell(0.94 * RAIL_TORQUE, swap=False))
+    machine.run(200, spoil=tell(RAIL_TORQUE, swap=True))
+    assert machine.orders.cause == 0
+    found = ended(machine, tell(RAIL_TORQUE, swap=False), 100)
+    assert found == ("HARD_STOP", "BASE_BLOCKED", CABLES + 1)  # the first of two
 
 
 @pytest.mark.parametrize("moment", ["HOME SWEEP", "TENSION APPROACH", "RUN NONE"])
