@@ -158,8 +158,10 @@ class Lockstep:
 
     def bring_up(self, most: int) -> State:
         """Arm the machine once it is ready, and run until it works, `most` cycles at most; the
-        state at the end."""
+        state at the end. The hand moves the handle about where no base moves."""
         for _ in range(most):
+            if self.state is State.HOME and not self.machine.world.rails:
+                self.machine.wander()
             self.requests = Request.ARM if self._is_ready and self.cycles % 2 else Request(0)
             self.cycle()
             if self.state in (State.RUN, State.FAULT):

@@ -1,5 +1,7 @@
 """tb_drives.h and tb_drives.c: what the runtime knows of the machine's buses and drives."""
 
+from math import inf
+
 from codegen.bus.contract import Object, contract, identity
 from codegen.constants import Constant, real
 from codegen.print_c import literal
@@ -124,14 +126,16 @@ def base_drives(machine: Machine) -> list[Constant]:
 def calibration(machine: Machine) -> list[Constant]:
     """How the cables' zeros are found."""
     way = machine.calibration
-    shortest = min((rail.length for rail in machine.rails), default=0.0)
+    shortest = min((rail.length for rail in machine.rails), default=inf)
     return [
         Constant("TB_CALIBRATION_SAMPLES", str(way.samples), "poses that are measured"),
         count(machine, "CALIBRATION_CYCLES", way.interval, "between two of them"),
         real(
             "TB_CALIBRATION_TRAVEL",
             way.travel_on(shortest),
-            "m, sweep of each base to either side of the middle of its rail",
+            "m, sweep of each base to either side of the middle of its rail"
+            if machine.rails
+            else "m, a fifth of it makes another pose",
         ),
     ]
 

@@ -40,7 +40,7 @@
 /* Calibration of the cables' zeros */
 #define TB_CALIBRATION_SAMPLES 24 /* poses that are measured */
 #define TB_CALIBRATION_CYCLES 100 /* cycles between two of them */
-#define TB_CALIBRATION_TRAVEL TB_C(0.0) /* m, sweep of each base to either side of the middle of its rail */
+#define TB_CALIBRATION_TRAVEL TB_C(0.1) /* m, a fifth of it makes another pose */
 
 /** What is done with an entry of a drive's object dictionary. */
 typedef enum {

@@ -105,7 +105,8 @@ class Calibration(Table):
     travel: Length | None = Field(
         None,
         description="sweep of each base to either side of the middle of its rail [m];"
-        " 100 mm by default, or half of the shortest rail if that is less",
+        " 100 mm by default, or half of the shortest rail if that is less; without rails a fifth of"
+        " it makes another pose",
     )
 
     def travel_on(self, shortest: float) -> float:

@@ -433,10 +433,10 @@ def surroundings() -> Iterator[Fault]:
         lockstep.hand_force_fresh = False
 
     def hook(lockstep: Lockstep, cycle: int) -> None:
-        lockstep.machine.world.hook_cable(CABLE.number, min(0.002 * (cycle + 1), 0.02))
+        lockstep.machine.plant.hook_cable(CABLE.number, min(0.002 * (cycle + 1), 0.02))
 
     def cut(lockstep: Lockstep) -> None:
-        lockstep.machine.world.break_cable(CABLE.number)
+        lockstep.machine.plant.break_cable(CABLE.number)
 
     unwanted = (Sign("CONTROLLER", moments=(RUN,)),)
     unfelt = (Sign("CONTROLLER", moments=AT_WORK),)
