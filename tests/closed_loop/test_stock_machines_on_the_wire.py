@@ -1,15 +1,15 @@
-"""Every stock machine with buses comes up on wires that take their time, at the proof's worst too."""
+"""Every stock machine with buses comes up on wires that take time, at the proof's worst too."""
 
-import ctypes
 from pathlib import Path
 
 import pytest
 import variants
+from seeded import runtime_with
 
-from codegen.bind import Generated, keep_text
+from codegen.bind import Generated
 from lab.demo import plan_task, plant_of
 from lab.drives.wire import Conditions
-from lab.lockstep import FOLDERS, Lockstep, State, load
+from lab.lockstep import Lockstep, State
 from lab.machine_sim import SimulatedMachine
 from model.machine import Machine, load_machine
 
@@ -24,7 +24,13 @@ WIRES = {
     "worst": Conditions(worst=True),
     "disturbed": Conditions(seed=7, errors=0.002),
 }
-BUILD = ROOT / "build" / "wire"
+IMPATIENT = (
+    "core/measurement.c",
+    "return measurement->tracks[drive].age < tb_buses[tb_drives[drive].bus].divider;",
+    "return measurement->tracks[drive].age == 0;",
+)
+SWEEP = 20
+"""TB_PHASE_SWEEP."""
 LONGEST = 40_000
 SHORTEST_SWEEP = 24_000
 """Cycles in which a machine that can be calibrated is calibrated."""
@@ -60,27 +66,9 @@ def test_a_calibration_that_waits_for_all_drives_in_one_cycle_never_ends() -> No
     # Negative control: what the wire found. The last of four base drives answers after the
     # compute phase, so that its answer never comes in the cycle of the others'.
     machine = lockstep("yoon2023", Conditions(worst=True))
-    machine.exchange_runtime(impatient())
+    machine.exchange_runtime(runtime_with("impatient", IMPATIENT))
     assert machine.bring_up(SHORTEST_SWEEP) is not State.RUN
     assert machine.view["state"] == State.FAULT or machine.view["phase"] == SWEEP
-
-
-SWEEP = 20
-"""TB_PHASE_SWEEP."""
-
-
-def impatient() -> ctypes.CDLL:
-    """The runtime with a calibration that wants every answer in the same cycle."""
-    for folder in FOLDERS:
-        for path in folder.glob("*.[ch]"):
-            keep_text(BUILD / folder.name / path.name, path.read_text())
-    file = BUILD / "core" / "measurement.c"
-    text = file.read_text()
-    right = "return measurement->tracks[drive].age < tb_buses[tb_drives[drive].bus].divider;"
-    assert text.count(right) == 1
-    keep_text(file, text.replace(right, "return measurement->tracks[drive].age == 0;"))
-    folders = [BUILD / folder.name for folder in FOLDERS]
-    return load(variants.committed(), folders)
 
 
 def test_the_machines_with_buses_are_tried() -> None:
