@@ -76,6 +76,7 @@ static void ramp(drive *const d, int const deceleration, peer_power const after,
     w->deceleration = (double)d->value[deceleration];
     homing_leave(d);
     servo_take(d);
+    d->servo.demand_rate = d->servo.velocity;
 }
 
 static void quick_stop(drive *const d)

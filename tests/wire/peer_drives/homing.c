@@ -53,7 +53,7 @@ static void seek(drive *const d, double const dt)
     double const missing = direction(d) * speed - s->demand_rate;
     s->demand_rate += fmin(fmax(missing, -most), most);
     s->demand += s->demand_rate * dt;
-    if (fabs(s->current) >= (double)d->value[O_HOME_CURRENT]) {
+    if (fabs(s->current_averaged) >= (double)d->value[O_HOME_CURRENT]) {
         referenced(d);
     }
 }

@@ -185,7 +185,8 @@ typedef struct {
     unsigned steps;       /* left to the goal */
     double integral;
     double counts;        /* at the last servo period */
-    double velocity;      /* filtered, counts/s */
+    double tracked;       /* the estimate of it, counts */
+    double velocity;      /* estimated, counts/s */
     int32_t shift;        /* by homing: position = count + shift */
 } servo;
 

@@ -1,11 +1,11 @@
 /* Encoder, current and torque of a motor, and the controllers that make them follow. */
 #include "peer.h"
 
-static double const BANDWIDTH = 2.0 * PI * 25.0;      /* of the position controller, rad/s */
-static double const INTEGRAL = 0.3;                   /* of BANDWIDTH cubed */
-static double const VELOCITY_FILTER = 0.376;          /* 300 Hz at 4 kHz */
-static double const CURRENT_FILTER = 0.0245;          /* 10 ms */
-static double const STANDSTILL = 1.0;                 /* rpm */
+static double const BANDWIDTH = 2.0 * PI * 15.0; /* of the position controller, rad/s */
+static double const INTEGRAL = 0.3;              /* of BANDWIDTH cubed */
+static double const TRACKING = 2.0 * PI * 80.0;  /* of the velocity estimate, rad/s */
+static double const AVERAGING = 0.002;           /* of the current, s */
+static double const STANDSTILL = 10.0;           /* rpm: a count or two at 4 kHz */
 
 double counts_per_second(drive const *const d, double const rpm)
 {
@@ -199,8 +199,8 @@ static double position_current(drive *const d, double const dt)
     double const error = (s->demand - s->counts) * radians;
     s->integral += s->limited ? 0.0 : error * dt;
     double const rate = (s->demand_rate - s->velocity) * radians;
-    double const acceleration = BANDWIDTH * (BANDWIDTH * (error + INTEGRAL * BANDWIDTH * s->integral) + 2.0 * rate);
-    return inertia * acceleration / torque_per_current(d);
+    double const stiff = BANDWIDTH * (error + INTEGRAL * BANDWIDTH * s->integral);
+    return inertia * BANDWIDTH * (stiff + 2.0 * rate) / torque_per_current(d);
 }
 
 static double torque_current(drive const *const d)
@@ -233,9 +233,9 @@ void servo_output(drive *const d, double const dt)
 {
     servo *const s = &d->servo;
     peer_variation const *const v = &d->config.variation;
-    static double const gain[] = {[PEER_TORQUE_GOOD] = 1.0, [PEER_TORQUE_NOT_GIVEN] = 0.0, [PEER_TORQUE_DOUBLED] = 2.0};
     s->current_demand = limited_current(d, demanded_current(d, dt));
-    double const given = s->current_demand * gain[v->torque];
+    double const gain = v->torque == PEER_TORQUE_DOUBLED ? 2.0 : v->torque == PEER_TORQUE_NOT_GIVEN ? 0.0 : 1.0;
+    double const given = s->current_demand * gain;
     s->current = v->torque_hidden ? s->current_demand : given;
     s->torque = given * torque_per_current(d);
 }
@@ -246,7 +246,16 @@ static void heat_up(drive *const d, double const dt)
     double const nominal = fmax((double)d->value[O_NOMINAL_CURRENT], 1.0);
     double const load = s->current / nominal;
     s->heat += (load * load - s->heat) * dt / (0.1 * (double)d->value[O_THERMAL_TIME]);
-    s->current_averaged += (s->current - s->current_averaged) * CURRENT_FILTER;
+}
+
+/* The encoder's count and the speed that a tracking loop makes of it. */
+static void measure(drive *const d, double const dt)
+{
+    servo *const s = &d->servo;
+    s->counts = servo_counts(d, d->peer->now);
+    double const error = s->counts - s->tracked;
+    s->velocity += TRACKING * TRACKING * error * dt;
+    s->tracked += (s->velocity + 2.0 * TRACKING * error) * dt;
 }
 
 void servo_tick(drive *const d, double const dt)
@@ -255,18 +264,18 @@ void servo_tick(drive *const d, double const dt)
     if (!d->shaft.coupled) {
         turn_freely(d, dt);
     }
-    double const counts = servo_counts(d, d->peer->now);
-    s->velocity += ((counts - s->counts) / dt - s->velocity) * VELOCITY_FILTER;
-    s->counts = counts;
+    measure(d, dt);
     next_demand(d, dt);
     check_following(d);
     servo_output(d, dt);
     heat_up(d, dt);
+    s->current_averaged += (s->current - s->current_averaged) * dt / AVERAGING;
 }
 
 void servo_reset(drive *const d)
 {
-    d->servo = (servo){.action = ACT_COAST, .counts = servo_counts(d, d->peer->now)};
+    double const counts = servo_counts(d, d->peer->now);
+    d->servo = (servo){.action = ACT_COAST, .counts = counts, .tracked = counts};
 }
 
 /* --- for the owner --- */
