@@ -245,22 +245,22 @@ def frame_of(raw: RawFrame) -> Frame:
     return Frame(raw.id, data, raw.extended, raw.remote, raw.length if raw.remote else None)
 
 
-def sources(folder: Path = SOURCES) -> list[Path]:
+def sources() -> list[Path]:
     """The C files of the drives, in order."""
-    return sorted(folder.glob("*.c"))
+    return sorted(SOURCES.glob("*.c"))
 
 
-def compiled(folder: Path = SOURCES, compiler: str = "gcc") -> Path:
+def compiled() -> Path:
     """The shared library of the drives; compiled when its sources are others than before."""
-    digest = hashlib.sha256(" ".join((compiler, *FLAGS)).encode())
-    for path in sorted(folder.glob("*.[ch]")):
+    digest = hashlib.sha256(" ".join(FLAGS).encode())
+    for path in sorted(SOURCES.glob("*.[ch]")):
         digest.update(path.name.encode() + path.read_bytes())
     library = BUILD / f"{digest.hexdigest()[:16]}.so"
     if not library.exists():
         BUILD.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=BUILD) as scratch:
             fresh = Path(scratch) / "peer.so"
-            command = [compiler, *FLAGS, "-o", str(fresh), *map(str, sources(folder)), "-lm"]
+            command = ["gcc", *FLAGS, "-o", str(fresh), *map(str, sources()), "-lm"]
             subprocess.run(command, check=True)
             os.replace(fresh, library)
     return library
@@ -295,10 +295,10 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
 
 
 class Library:
-    """The compiled drives, of `folder` for those with a defect seeded."""
+    """The compiled drives; from another shared library those with a defect seeded."""
 
-    def __init__(self, folder: Path = SOURCES) -> None:
-        self.c = ctypes.CDLL(str(compiled(folder)))
+    def __init__(self, shared: Path | None = None) -> None:
+        self.c = ctypes.CDLL(str(shared or compiled()))
         for name, (result, arguments) in SIGNATURES.items():
             function = getattr(self.c, name)
             function.restype = result

@@ -155,9 +155,16 @@ def test_a_tpdo_says_what_was_before_the_rpdo_of_the_same_sync(library: Library)
     bench.nmt(START)
     seen = []
     for word in (6, 7, 15, 15, 15, 15):
-        bench.cycle(struct.pack("<Hh", word, 0))
-        seen.append(struct.unpack("<Hh", bench.frames(0x181)[-1].data)[0] & 0x6F)
-    assert seen == [0x40, 0x40, 0x21, 0x23, 0x27, 0x27], "applied at k+1, seen at k+2"
+        bench.cycle(struct.pack("<Hh", word, 100))
+        seen.append(struct.unpack("<Hh", bench.frames(0x181)[-1].data))
+    states = [word & 0x6F for word, _ in seen]
+    assert states == [0x40, 0x40, 0x21, 0x23, 0x27, 0x27], "applied at k+1, seen at k+2"
+    bench.cycle(struct.pack("<Hh", 15, -50))
+    torques = []
+    for _ in range(3):
+        bench.cycle(struct.pack("<Hh", 15, -50))
+        torques.append(struct.unpack("<Hh", bench.frames(0x181)[-1].data)[1])
+    assert torques == [100, -50, -50]
 
 
 def test_only_the_newest_of_several_rpdos_is_applied(library: Library) -> None:

@@ -3,7 +3,7 @@
 
 enum { BELL = 7, PIECE_ODDS = 4 };
 
-static char const *const digits_of[] = {"0123456789ABCDEF", "0123456789abcdef"};
+static char const digits_of[][17] = {"0123456789ABCDEF", "0123456789abcdef"};
 
 static void put_byte(peer *const p, bus *const b, uint8_t const byte)
 {

@@ -7,6 +7,8 @@
 #ifndef PEER_OBJECTS_H
 #define PEER_OBJECTS_H
 
+#include <stdint.h>
+
 #define U8X 0, UINT8_MAX
 #define U16X 0, UINT16_MAX
 #define U32X 0, UINT32_MAX
