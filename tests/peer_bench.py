@@ -132,7 +132,9 @@ class Bench:
             raise Refused(int.from_bytes(answer[4:], "little"))
         assert answer == struct.pack("<BHB", 0x60, index, sub) + bytes(4)
 
-    def map_pdo(self, kind: str, n: int, type_: int, entries: Sequence[int], number: int = 0) -> None:
+    def map_pdo(
+        self, kind: str, n: int, type_: int, entries: Sequence[int], number: int = 0
+    ) -> None:
         """The procedure of CiA 301 for the RPDO or TPDO n (1 to 4)."""
         node = self.drives[number].node
         base = {"rpdo": 0x1400, "tpdo": 0x1800}[kind] + n - 1
@@ -168,7 +170,7 @@ class Bench:
 
     def command(self, controlword: int, target: int = 0, cycles: int = 4) -> int:
         """The same controlword for some cycles, to the first drive; its last statusword."""
-        size = "<HI" if self.peer.object(0, 0x6060) == CSP else "<HH"
+        size = "<HI" if self.peer.object(0, 0x1600, 2) == 0x607A0020 else "<HH"
         mask = 0xFFFFFFFF if size == "<HI" else 0xFFFF
         for _ in range(cycles):
             self.cycle(struct.pack(size, controlword, target & mask))

@@ -1,4 +1,4 @@
-/* How many times faster than real time eight drives on four buses run at 1 kHz: prints the factor. */
+/* Prints how many times faster than real time eight drives on four buses run at 1 kHz. */
 #include <stdio.h>
 #include <string.h>
 #include <time.h>

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 from peer_bench import drive
-from peer_drives import MICROSECOND, MILLISECOND, Acknowledgement, Bus, BusVariation, Library
-from peer_drives import Frame, PeerDrives
+from peer_drives import (
+    MICROSECOND,
+    MILLISECOND,
+    Acknowledgement,
+    Bus,
+    BusVariation,
+    Frame,
+    Library,
+    PeerDrives,
+)
 
 ASK = b"t6018" + b"4018100100000000" + b"\r"
 ANSWER = b"t5818" + b"43181001FB000000"
@@ -19,7 +28,7 @@ def library() -> Library:
     return Library()
 
 
-def behind(library: Library, rate: int = 1_000_000, **settings: object) -> PeerDrives:
+def behind(library: Library, rate: int = 1_000_000, **settings: Any) -> PeerDrives:
     """A drive behind an adapter that is still closed."""
     bus = Bus(bit_rate=rate, adapter=True, variation=BusVariation(**settings))
     peer = PeerDrives(library, [bus], [drive()])
@@ -34,7 +43,7 @@ def say(peer: PeerDrives, text: bytes) -> bytes:
     return peer.read_all(0)
 
 
-def opened(library: Library, **settings: object) -> PeerDrives:
+def opened(library: Library, **settings: Any) -> PeerDrives:
     peer = behind(library, **settings)
     say(peer, b"S8\rO\r")
     return peer
@@ -115,7 +124,9 @@ def test_each_bit_rate_has_its_digit_and_another_one_hears_nothing(
         peer = behind(library, rate=rate * 1000)
         say(peer, b"S%d\rO\r" % digit)
         peer.wait(50 * MILLISECOND)
-        answered = say(peer, ASK) + (peer.wait(200 * MILLISECOND) and peer.read_all(0))
+        answered = say(peer, ASK)
+        peer.wait(200 * MILLISECOND)
+        answered += peer.read_all(0)
         assert (ANSWER in answered) == (rate == RATES[digit])
 
 
@@ -135,7 +146,7 @@ def test_an_adapter_that_only_listens_sends_and_acknowledges_nothing(library: Li
     ],
 )
 def test_each_dialect_says_the_same_in_its_own_way(
-    library: Library, settings: dict[str, object], answer: bytes
+    library: Library, settings: dict[str, Any], answer: bytes
 ) -> None:
     assert say(opened(library, **settings), ASK) == answer
 

@@ -38,9 +38,7 @@ RECORDS: dict[int, list[int]] = {
     0x1018: [od.UNSIGNED8, *[od.UNSIGNED32] * 4],
     **{0x1400 + n: [od.UNSIGNED8, od.UNSIGNED32, od.UNSIGNED8] for n in range(4)},
     **{0x1600 + n: ENTRIES for n in range(4)},
-    **{
-        0x1800 + n: [od.UNSIGNED8, od.UNSIGNED32, od.UNSIGNED8, od.UNSIGNED16] for n in range(4)
-    },
+    **{0x1800 + n: [od.UNSIGNED8, od.UNSIGNED32, od.UNSIGNED8, od.UNSIGNED16] for n in range(4)},
     **{0x1A00 + n: ENTRIES for n in range(4)},
 }
 
@@ -280,7 +278,7 @@ def requests(count: int) -> list[bytes]:
 def test_the_sdo_server_answers_as_the_one_of_canopen_does(library: Library) -> None:
     """Byte by byte; of aborts only that there is one where canopen knows no better code."""
     bench = Bench(library)
-    judge = canopen.LocalNode(1, dictionary())
+    judge: Any = canopen.LocalNode(1, dictionary())
     network = Answers()
     network[1] = judge
     judge.sdo[0x1000].raw = 0x00020192

@@ -73,7 +73,8 @@ DEFECTS = {
     "a SYNC is answered with what it brought about": Defect(
         "pdo.c",
         AT_SYNC,
-        AT_SYNC.replace("    answer_sync(d);\n", "") + "    objects_refresh(d);\n    answer_sync(d);\n",
+        AT_SYNC.replace("    answer_sync(d);\n", "")
+        + "    objects_refresh(d);\n    answer_sync(d);\n",
         pdo.test_a_tpdo_says_what_was_before_the_rpdo_of_the_same_sync,
     ),
     "a valid PDO can be mapped anew": Defect(
@@ -240,8 +241,8 @@ STRUCTURES = {
 def test_python_has_the_structures_of_the_header(tmp_path: Path) -> None:
     lines = []
     for name, structure in STRUCTURES.items():
-        lines.append(f"_Static_assert(sizeof({name}) == {ctypes.sizeof(structure)}, \"{name}\");")
-        for field, _ in structure._fields_:
+        lines.append(f'_Static_assert(sizeof({name}) == {ctypes.sizeof(structure)}, "{name}");')
+        for field, *_ in structure._fields_:
             offset = getattr(structure, field).offset
             lines.append(f'_Static_assert(offsetof({name}, {field}) == {offset}, "{field}");')
     path = tmp_path / "layout.c"

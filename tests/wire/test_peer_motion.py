@@ -12,6 +12,7 @@ from peer_drives import (
     MICROSECOND,
     MILLISECOND,
     SECOND,
+    Bus,
     EncoderFault,
     Frame,
     Library,
@@ -314,6 +315,43 @@ def test_a_jump_comes_once_though_other_things_vary(library: Library) -> None:
     assert position(bench) == 100
 
 
+class Owner(Bench):
+    """A bench whose first motor is moved by its owner's physics."""
+
+    motor_angle = 0.0
+    motor_rate = 0.0
+
+
+def turned_by_owner(bench: Owner, word: int, target: int, cycles: int, load: float) -> None:
+    """Cycles in which the owner has the motor, at 1 kHz: inertia, a constant load, an end stop."""
+    peer, inertia = bench.peer, 2.0e-5
+    for _ in range(cycles):
+        bench.motor_rate += (peer.torque(0) - load) / inertia * 1e-3
+        bench.motor_angle += bench.motor_rate * 1e-3
+        if bench.motor_angle > 3.0:
+            bench.motor_angle, bench.motor_rate = 3.0, 0.0
+        peer.turn(0, peer.now + MILLISECOND, bench.motor_angle)
+        bench.command(word, target, cycles=1)
+
+
+def test_csp_and_homing_work_on_a_motor_that_its_owner_turns(library: Library) -> None:
+    bench = Owner(library, [drive(tuned_inertia=2.0e-5)])
+    bench.write(0x6098, 0, -3)
+    bench.peer.turn(0, bench.peer.now, 0.0)
+    bench.enabled(CSP)
+    turned_by_owner(bench, ENABLE, 0, cycles=200, load=0.005)
+    for target in range(0, 401, 5):
+        turned_by_owner(bench, ENABLE, target, cycles=1, load=0.005)
+    turned_by_owner(bench, ENABLE, 400, cycles=400, load=0.005)
+    assert position(bench) == pytest.approx(400, abs=5)
+    assert bench.peer.torque(0) == pytest.approx(0.005, abs=0.002)
+    bench.write(0x6060, 0, HOMING)
+    turned_by_owner(bench, ENABLE, 400, cycles=5, load=0.0)
+    turned_by_owner(bench, ENABLE | 0x10, 400, cycles=900, load=0.0)
+    assert bench.status() & 0xB400 == 0x9400
+    assert bench.motor_angle == pytest.approx(3.0, abs=0.05)
+
+
 @pytest.mark.parametrize("hidden", [False, True])
 @pytest.mark.parametrize(("fault", "gain"), [(TorqueFault.NOT_GIVEN, 0), (TorqueFault.DOUBLED, 2)])
 def test_a_torque_fault_shows_in_the_drives_figures_unless_hidden(
@@ -329,8 +367,6 @@ def test_a_torque_fault_shows_in_the_drives_figures_unless_hidden(
 def test_eight_drives_on_four_buses_run_for_a_second_without_a_setpoint_lost(
     library: Library,
 ) -> None:
-    from peer_drives import Bus
-
     buses = [Bus(bit_rate=1_000_000) for _ in range(4)]
     bench = Bench(library, [drive(node=k + 1, bus=k // 2) for k in range(8)], buses=buses)
     for number in range(8):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any
 
 import pytest
 from peer_bench import (
@@ -19,7 +20,7 @@ from peer_bench import (
     drive,
     varied,
 )
-from peer_drives import MILLISECOND, Frame, Library, Nmt, PeerDrives, Bus, Power, Variation
+from peer_drives import MILLISECOND, Bus, Frame, Library, Nmt, PeerDrives, Power, Variation
 
 MASTER = 0x7F
 
@@ -258,7 +259,9 @@ def test_an_error_of_the_drive_is_an_emergency_and_a_fault(
         bench.command(ENABLE, turning, cycles=1)
     bench.peer.fail(0, code)
     bench.wait(1)
-    assert bench.frames(0x81) == [Frame(0x81, code.to_bytes(2, "little") + bytes([register, *[0] * 5]))]
+    assert bench.frames(0x81) == [
+        Frame(0x81, code.to_bytes(2, "little") + bytes([register, *[0] * 5]))
+    ]
     assert bench.peer.power(0) == (Power.FAULT_REACTION if ramped else Power.FAULT)
     bench.wait(400)
     assert bench.peer.power(0) == Power.FAULT
@@ -329,6 +332,6 @@ def test_buses_are_apart(library: Library) -> None:
     "settings",
     [{"node": 0}, {"node": 128}, {"bus": 1}, {"counts_per_turn": 2001}, {"rotor_inertia": 0.0}],
 )
-def test_drives_that_cannot_be_are_refused(library: Library, settings: dict[str, float]) -> None:
+def test_drives_that_cannot_be_are_refused(library: Library, settings: dict[str, Any]) -> None:
     with pytest.raises(ValueError):
         PeerDrives(library, [Bus(bit_rate=1_000_000)], [drive(**{"node": 1, **settings})])

@@ -338,8 +338,11 @@ def test_stored_values_come_back_with_a_reset_and_factory_ones_after_a_restore(
 
 @pytest.mark.parametrize(
     ("form", "command", "rest"),
-    [(Upload.EXACT, 0x4B, b"\xee\xee"), (Upload.NO_SIZE, 0x42, b"\xee\xee")]
-    + [(Upload.PADDED, 0x43, b"\0\0")],
+    [
+        (Upload.EXACT, 0x4B, b"\xee\xee"),
+        (Upload.NO_SIZE, 0x42, b"\xee\xee"),
+        (Upload.PADDED, 0x43, b"\0\0"),
+    ],
 )
 def test_an_upload_can_be_answered_in_each_expedited_form(
     library: Library, form: Upload, command: int, rest: bytes

@@ -7,8 +7,16 @@ import random
 
 import pytest
 from peer_bench import START, Bench, drive
-from peer_drives import MICROSECOND, MILLISECOND, Bus, BusVariation, Frame, Library, PeerDrives
-from peer_drives import Timing
+from peer_drives import (
+    MICROSECOND,
+    MILLISECOND,
+    Bus,
+    BusVariation,
+    Frame,
+    Library,
+    PeerDrives,
+    Timing,
+)
 
 GENERATOR = 0xC599  # x^15 + x^14 + x^10 + x^8 + x^7 + x^4 + x^3 + 1
 

@@ -15,7 +15,8 @@ static void put_byte(peer *const p, bus *const b, uint8_t const byte)
     peer_time ready = p->now + b->config.variation.latency;
     if (a->count > 0) {
         line_byte const *const last = &a->out[(a->first + a->count - 1) % LINE_BYTES];
-        peer_time const pause = last->ends_piece ? random_delay(p, b->config.variation.piece_delay) : 0;
+        peer_time const most = b->config.variation.piece_delay;
+        peer_time const pause = last->ends_piece ? random_delay(p, most) : 0;
         ready = last->ready + pause > ready ? last->ready + pause : ready;
     }
     bool const cut = b->config.variation.pieces && random_below(p, PIECE_ODDS) == 0;
@@ -154,7 +155,8 @@ static void transmit(peer *const p, bus *const b)
 /* S0..S8; S7 is 800k with some makers, 750k with others: here what the bus has of the two. */
 static bool set_rate(bus *const b)
 {
-    static uint32_t const rates[] = {10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000, 1000000};
+    static uint32_t const rates[] = {10000,  20000,  50000,  100000, 125000,
+                                     250000, 500000, 800000, 1000000};
     char const digit = b->adapter.line[1];
     if (b->adapter.open || b->adapter.length != 2 || digit < '0' || digit > '8') {
         return false;

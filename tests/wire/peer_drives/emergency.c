@@ -1,4 +1,4 @@
-/* Emergencies of a drive: message, error register, history (CiA 301, 7.2.7), and what each leads to. */
+/* Emergencies of a drive (CiA 301, 7.2.7): message, error register, history, what each leads to. */
 #include "peer.h"
 
 typedef enum { POWER_OFF, FAULT_OPTION, CONNECTION, WARNING } reaction;
@@ -26,7 +26,8 @@ static reaction reaction_of(uint16_t const code)
 
 static bool loses_home(uint16_t const code)
 {
-    static uint16_t const codes[] = {0x7380, 0x7381, 0x7382, 0x7388, 0x7389, 0x738A, 0x7392, 0xFF02};
+    static uint16_t const codes[] = {0x7380, 0x7381, 0x7382, 0x7388,
+                                     0x7389, 0x738A, 0x7392, 0xFF02};
     bool found = false;
     for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++) {
         found = found || codes[i] == code;
@@ -55,7 +56,8 @@ static uint8_t register_bits(uint16_t const code)
 
 void emergency_send(drive *const d, uint16_t const code)
 {
-    uint8_t const data[8] = {(uint8_t)code, (uint8_t)(code >> 8), (uint8_t)d->value[O_ERROR_REGISTER]};
+    uint8_t const errors = (uint8_t)d->value[O_ERROR_REGISTER];
+    uint8_t const data[8] = {(uint8_t)code, (uint8_t)(code >> 8), errors};
     if (d->nmt == PEER_PRE_OPERATIONAL || d->nmt == PEER_OPERATIONAL) {
         drive_transmit(d, 0x80 + d->config.node, data, 8, d->peer->now);
     }

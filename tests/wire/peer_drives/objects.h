@@ -1,8 +1,8 @@
 /**
  * The objects of a drive: X(name, index, sub, type, access, factory value, least, greatest).
  *
- * Ascending by index and sub-index. ACCESS is RO; ROM, read-only and can be sent by a TPDO; RW; RWM,
- * writable and can be received by an RPDO; RWP, writable while the power stage is off.
+ * Ascending by index and sub-index. Access is RO; ROM, read-only, and a TPDO can send it; RW; RWM,
+ * writable, and an RPDO can bring it; RWP, writable while the power stage is off.
  */
 #ifndef PEER_OBJECTS_H
 #define PEER_OBJECTS_H

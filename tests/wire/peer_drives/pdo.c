@@ -1,4 +1,4 @@
-/* PDOs of a drive: their parameters, mapping, and what goes with SYNC (CiA 301, 7.2.2, 7.5.2.35 ff). */
+/* PDOs of a drive (CiA 301, 7.2.2): parameters, mapping, what goes with SYNC. */
 #include "peer.h"
 
 enum { SYNCHRONOUS_MOST = 240, EVENT_LEAST = 254 };
@@ -21,7 +21,8 @@ static void resolve(drive const *const d, int const map, int *const slots)
     int64_t const count = d->value[map];
     for (int k = 0; k < MAPPED; k++) {
         uint32_t const entry = (uint32_t)d->value[map + 1 + k];
-        slots[k] = k < count ? object_find((uint16_t)(entry >> 16), (uint8_t)(entry >> 8)) : NO_SLOT;
+        int const slot = object_find((uint16_t)(entry >> 16), (uint8_t)(entry >> 8));
+        slots[k] = k < count ? slot : NO_SLOT;
     }
 }
 
@@ -45,7 +46,7 @@ void pdo_reset(drive *const d)
 static bool restricted(uint32_t const id)
 {
     return id <= 0x001 || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) ||
-           (id >= 0x601 && id <= 0x67F) || id == 0x6E0 || (id >= 0x701 && id <= 0x77F) || id >= 0x780;
+           (id >= 0x601 && id <= 0x67F) || id == 0x6E0 || id >= 0x701;
 }
 
 static uint32_t check_id(uint32_t const old, uint32_t const wanted, bool const sends)
@@ -338,7 +339,8 @@ void pdo_events(drive *const d)
     bool refreshed = false;
     for (unsigned n = 0; n < PDOS; n++) {
         pdo *const t = &d->tpdo[n];
-        if (!exists(d, n) || d->value[tpdo_id(n) + 1] < EVENT_LEAST || d->peer->now < t->inhibited) {
+        bool const by_event = exists(d, n) && d->value[tpdo_id(n) + 1] >= EVENT_LEAST;
+        if (!by_event || d->peer->now < t->inhibited) {
             continue;
         }
         if (!refreshed) {

@@ -164,12 +164,8 @@ void peer_vary(peer *const p, uint32_t const number, peer_variation const *const
 {
     drive *const d = &p->drive[number];
     peer_variation const old = d->config.variation;
-    bool const anew = old.encoder != variation->encoder || old.encoder_value != variation->encoder_value;
-    servo_vary(d);
+    servo_vary(d, variation);
     d->config.variation = *variation;
-    if (variation->encoder == PEER_ENCODER_JUMP && anew) {
-        d->encoder.reading += variation->encoder_value;
-    }
     if (old.restarts != variation->restarts) {
         d->restarts = variation->restarts;
     }

@@ -359,7 +359,7 @@ void servo_target(drive *d);
 bool servo_standstill(drive const *d);
 double servo_counts(drive const *d, peer_time time);
 int32_t servo_position(drive const *d, double counts);
-void servo_vary(drive *d);
+void servo_vary(drive *d, peer_variation const *next);
 double counts_per_second(drive const *d, double rpm);
 
 #endif

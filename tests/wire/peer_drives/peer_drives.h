@@ -1,54 +1,62 @@
 /**
  * CiA 402 servo drives on CAN buses with wire times: a peer to judge a CANopen master with.
  *
- * Written from CiA 301, CiA 402, ISO 11898-1, the Lawicel text protocol and public facts of the EPOS4,
- * without a look at the master. A pure library: no clock, no input or output, no state outside
- * `peer`, and memory is taken in peer_new() only.
+ * Written from CiA 301, CiA 402, ISO 11898-1, the Lawicel text protocol and public facts of the
+ * EPOS4, without a look at the master. A pure library: no clock, no input or output, no state
+ * outside `peer`, and memory is taken in peer_new() only.
  *
- * UNITS. Time is a count of nanoseconds from 0, when all drives are switched on. Angles rad, torques
- * N m at the motor shaft and in the motor's own sense, inertias kg m^2; what a drive's objects hold is
- * in the objects' own units (counts, mA, uNm, per mille, rpm).
+ * UNITS. Time is a count of nanoseconds from 0, when all drives are switched on. Angles rad,
+ * torques N m at the motor shaft and in the motor's own sense, inertias kg m^2; what a drive's
+ * objects hold is in the objects' own units (counts, mA, uNm, per mille, rpm).
  *
- * ORDER OF CALLS. peer_new(); then again and again
- *   peer_send() or peer_write()     what the master hands to its controller, now or at a later time
- *   peer_turn()                     where the owner's physics has the shafts, each given with its time
- *   peer_run() or peer_run_to_arrival()
- *   peer_receive() or peer_read()   what arrived, with the time of its arrival
- *   peer_torque()                   for the physics
- * No time given may be before one already reached: what is late counts as given now. peer_free() ends.
+ * ORDER OF CALLS. peer_new(); then again and again:
+ *   peer_send(), peer_write()   what the master hands to its controller now or later, or writes now
+ *   peer_turn()                 where the owner's physics has the shafts, with that time
+ *   peer_run()                  time passes; or peer_run_to_arrival(): no further than that
+ *   peer_receive(), peer_read() what arrived, with the time of its arrival
+ *   peer_torque()               for the physics
+ * and peer_free(). No time given may be before one already reached: what is late counts as given
+ * now. Numbers of buses and drives are those of the configuration, from 0, and are not checked.
  *
- * THE WIRE. A bus carries one frame at a time, to its end. When the bus is free the lowest identifier
- * among the frames that are ready wins: each drive offers its lowest (first come of equal ones), the
- * master its oldest. A frame lasts as many bits as its bit pattern has with CRC and stuff bits, and 3
- * more between frames; it has arrived 3 bits before the bus is free again. Nothing moves while fewer
- * than two nodes are there to acknowledge each other. Two nodes that send unequal frames of one
- * identifier at one moment destroy both: they try again, and drives go bus-off after 32 such errors.
+ * THE WIRE. A bus carries one frame at a time, to its end. When the bus is free the lowest
+ * identifier among the frames that are ready wins: each drive offers its lowest (first come of
+ * equal ones), the master its oldest. A frame lasts as many bits as its bit pattern has with CRC
+ * and stuff bits, and 3 more between frames; it has arrived 3 bits before the bus is free again.
+ * Nothing moves while fewer than two nodes are there to acknowledge each other. Two nodes that
+ * send unequal frames of one identifier at one moment destroy both. They try again; a drive goes
+ * bus-off after 32 such errors and stays so until its power was off.
  *
- * THE MASTER is on a bus's wire from the start, or, on a bus with `adapter`, behind a serial line and a
- * Lawicel adapter: commands C O L S0..S8 s Z M m W V N F E X t T r R; then peer_send() and
- * peer_receive() are not for that bus. The adapter's bit rate must be the bus's, or nothing passes.
+ * THE MASTER is on a bus's wire from the start, or, on a bus with `adapter`, behind a serial line
+ * and a Lawicel adapter: commands C O L S0..S8 s Z M m W V N F E X t T r R; then peer_send() and
+ * peer_receive() are not for that bus. The adapter's bit rate must be the bus's, or nothing
+ * passes. What a bus carries while the adapter is closed the master never hears.
  *
- * A DRIVE has the objects of objects.h. It answers SDO requests one after the other, each sdo_delay
- * after it came at most. At a SYNC it samples what its synchronous TPDOs carry, then applies what its
- * synchronous RPDOs brought since the SYNC before; the TPDOs are ready answer_delay later at most. A
- * controlword is acted on within one servo period (250 us). Torque (mode 10) follows at the SYNC.
- * Modes: 10 CST, 8 CSP with linear interpolation over 60C2, 6 homing by methods -3, -4 (current
- * threshold), 35 and 37 (here); the other modes of an EPOS4 hold the position. The servo has a position
- * controller for CSP, homing and all ramps, tuned to `tuned_inertia`.
- * A coupled motor is where peer_turn() says, between two calls and after the last on a straight line. A
- * motor never turned is a free rotor of `rotor_inertia` with `friction` and end stops.
- * The encoder of a drive counts `initial_count` at angle 0.
+ * A DRIVE has the objects of objects.h. It answers SDO requests one after the other, each within
+ * sdo_delay; a request has its effect when it is answered. At a SYNC the drive samples what its
+ * synchronous TPDOs carry, then applies what its synchronous RPDOs brought since the SYNC before;
+ * the TPDOs are ready within answer_delay. A controlword is acted on within one servo period (250
+ * us), and only once: a command of before a fault does not come back by itself. Torque (mode 10)
+ * follows at the SYNC. Modes: 10 CST, 8 CSP with linear interpolation over 60C2, 6 homing by
+ * methods -3, -4 (current threshold; 30B1 is the move that follows, signed) and 35, 37 (here); in
+ * the other modes of an EPOS4 the position is held. The position controller of CSP, homing and all
+ * ramps is tuned to `tuned_inertia`, 15 Hz.
  *
- * Loss of the master's heartbeat: emergency 0x8130, behaviour 1029:1, reaction 6007, and the drive ends
- * in FAULT, which only a reset after NMT "reset communication" leaves (as EPOS4). The variation
- * `reaction_is_command` ends where CiA 402 has the command of 6007 end instead.
+ * A coupled motor is where peer_turn() says, between two calls and after the last on a straight
+ * line. A motor never turned is a free rotor of `rotor_inertia` with `friction` and end stops. The
+ * encoder of a drive counts `initial_count` at angle 0.
  *
- * VARIATIONS are zero for a plain drive or adapter and may be changed at any time, by peer_vary() and
- * peer_vary_bus(). Legal ones a master must live with; illegal ones it must refuse or stop on.
+ * Loss of the master's heartbeat: emergency 0x8130, behaviour 1029:1, reaction 6007, and the drive
+ * ends in FAULT, which only a reset after NMT "reset communication" leaves (as EPOS4). With the
+ * variation `reaction_is_command` it ends where CiA 402 has the command of 6007 end instead. NMT
+ * "stop" and "reset communication" are a lost connection too, without an error.
  *
- * NOT SIMULATED: bit errors and what follows from them, propagation delay, block transfer, RTR to PDOs,
- * node guarding, LSS, SYNC counter, software position limits, profile modes and CSV, limit and home
- * switches, index pulse, the motor's electrical time constants, the baud rate of the serial line.
+ * VARIATIONS are zero for a plain drive or adapter and may be changed at any time, by peer_vary()
+ * and peer_vary_bus(). Legal ones a master must live with; illegal ones it must refuse or stop on.
+ *
+ * NOT SIMULATED: bit errors and what follows from them, propagation delay, block transfer, RTR to
+ * PDOs, node guarding, LSS, SYNC counter, software position limits, profile modes and CSV, limit
+ * and home switches, index pulse, the electrical time constants of the motor, the bit rate of the
+ * serial line, writing 2000 and 2001 (kept, without effect).
  */
 #ifndef PEER_DRIVES_H
 #define PEER_DRIVES_H
@@ -78,7 +86,7 @@ typedef struct {
 typedef enum {
     PEER_UPLOAD_EXACT,            /**< expedited, with the size of the object */
     PEER_UPLOAD_NO_SIZE,          /**< expedited, 0x42 */
-    PEER_UPLOAD_PADDED,           /**< expedited, 0x43 whatever the object's size, padded with zeros */
+    PEER_UPLOAD_PADDED,           /**< expedited, 0x43 whatever the size, padded with zeros */
     PEER_UPLOAD_SEGMENTED,        /**< segments, the size announced */
     PEER_UPLOAD_SEGMENTED_NO_SIZE /**< segments, the size not announced */
 } peer_upload;
@@ -106,11 +114,11 @@ typedef struct {
     uint32_t restarts;            /**< so many boot-ups are followed by a restart and another one */
     peer_time restart_after;      /**< time from such a boot-up to the next */
     uint32_t heartbeat_percent;   /**< of the heartbeat period set; 0: 100 */
-    uint32_t status_set;          /**< statusword bits always set; bit 5 only where it has no meaning */
+    uint32_t status_set;          /**< statusword bits set; bit 5 only where it has no meaning */
     uint32_t status_toggle;       /**< statusword bits inverted in every second sample */
     peer_time burst_period;       /**< between bursts of emergencies; 0: none */
     uint32_t burst_count;         /**< warnings 0xFF01 in a burst, which 0x0000 ends */
-    peer_time inhibit_jitter;     /**< event-driven TPDOs come up to so much after their inhibit time */
+    peer_time inhibit_jitter;     /**< inhibit times are longer by up to so much */
     bool any_order;               /**< each TPDO takes its own delay */
     peer_time transition_delay;   /**< commands of state and mode are acted on so much later */
     bool reaction_is_command;     /**< after a lost heartbeat not FAULT but where 6007 leads */
@@ -136,7 +144,7 @@ typedef struct {
 
 typedef struct {
     uint32_t bus;                 /**< from 0 */
-    uint32_t node;                /**< 1 to 127; two drives of a bus may share one, which is illegal */
+    uint32_t node;                /**< 1 to 127; two of a bus may share one, which is illegal */
     uint32_t counts_per_turn;     /**< a multiple of 4 */
     uint32_t nominal_current;     /**< mA */
     uint32_t current_limit;       /**< mA */
@@ -186,7 +194,7 @@ typedef struct {
 typedef struct {
     peer_time answer_delay;       /**< SYNC to TPDO, at most */
     peer_time sdo_delay;          /**< SDO request to answer, at most */
-    peer_time setpoint_deadline;  /**< setpoints this long after their SYNC count as late; 0: none do */
+    peer_time setpoint_deadline;  /**< setpoints so long after a SYNC count as late; 0: none do */
     uint64_t seed;                /**< of all delays */
     bool worst;                   /**< all frames and delays as long as they can be */
 } peer_timing;
@@ -218,7 +226,7 @@ typedef enum {
     PEER_FAULT
 } peer_power;
 
-/** What a drive saw since it was switched on. A setpoint is a synchronous RPDO with 6071 or 607A. */
+/** What a drive saw since time 0. A setpoint is a synchronous RPDO with 6071 or 607A. */
 typedef struct {
     uint64_t syncs;               /**< SYNCs while OPERATIONAL */
     uint64_t setpoints;           /**< all that arrived while OPERATIONAL */

@@ -55,10 +55,15 @@ int32_t servo_position(drive const *const d, double const counts)
 }
 
 /* What the encoder says now is where its next fault begins. */
-void servo_vary(drive *const d)
+void servo_vary(drive *const d, peer_variation const *const next)
 {
+    peer_variation const *const old = &d->config.variation;
     peer_time const now = d->peer->now;
     d->encoder = (encoder_fault){true_counts(d, now), reading(d, now), now};
+    bool const anew = old->encoder != next->encoder || old->encoder_value != next->encoder_value;
+    if (next->encoder == PEER_ENCODER_JUMP && anew) {
+        d->encoder.reading += next->encoder_value;
+    }
 }
 
 static void turn_freely(drive *const d, double const dt)
@@ -228,14 +233,22 @@ static double limited_current(drive *const d, double const wanted)
     return given;
 }
 
+static double torque_gain(uint32_t const fault)
+{
+    switch (fault) {
+    case PEER_TORQUE_NOT_GIVEN: return 0.0;
+    case PEER_TORQUE_DOUBLED: return 2.0;
+    default: return 1.0;
+    }
+}
+
 /* Current and torque as demanded now, and what a fault makes of them. */
 void servo_output(drive *const d, double const dt)
 {
     servo *const s = &d->servo;
     peer_variation const *const v = &d->config.variation;
     s->current_demand = limited_current(d, demanded_current(d, dt));
-    double const gain = v->torque == PEER_TORQUE_DOUBLED ? 2.0 : v->torque == PEER_TORQUE_NOT_GIVEN ? 0.0 : 1.0;
-    double const given = s->current_demand * gain;
+    double const given = s->current_demand * torque_gain(v->torque);
     s->current = v->torque_hidden ? s->current_demand : given;
     s->torque = given * torque_per_current(d);
 }
