@@ -7,13 +7,24 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
+import can
 import canopen
 import pytest
 from canopen import objectdictionary as od
 from canopen.profiles.p402 import BaseNode402
 from canopen.sdo.exceptions import SdoAbortedError
 from peer_bench import CST, Bench, drive, varied
-from peer_drives import MILLISECOND, Frame, Library, Power, Upload
+from peer_drives import (
+    MILLISECOND,
+    Acknowledgement,
+    Bus,
+    BusVariation,
+    Frame,
+    Library,
+    PeerDrives,
+    Power,
+    Upload,
+)
 
 VARIABLES: dict[int, tuple[str, int]] = {
     0x1000: ("device type", od.UNSIGNED32),
@@ -306,13 +317,78 @@ def test_the_sdo_server_answers_as_the_one_of_canopen_does(library: Library) -> 
     assert kinds == {0x00, 0x20, 0x40, 0x60, 0x80}
 
 
-def test_a_heartbeat_of_a_local_node_of_canopen_is_heard(library: Library) -> None:
+def test_the_network_states_are_those_of_a_local_node_of_canopen(library: Library) -> None:
+    names = {4: "STOPPED", 5: "OPERATIONAL", 0x7F: "PRE-OPERATIONAL"}
     bench = Bench(library)
-    bench.write(0x1016, 1, 0x7F << 16 | 50)
-    for _ in range(5):
-        bench.peer.inject(0, Frame(0x77F, b"\5"))
-        bench.wait(20)
-    assert bench.peer.counted(0).heartbeats == 5
-    bench.wait(60)
-    assert bench.frames(0x81)[0].data[:2] == b"\x30\x81"
-    assert bench.peer.now < 20_000 * MILLISECOND
+    judge: Any = canopen.LocalNode(1, dictionary())
+    network = Answers()
+    network[1] = judge
+    judge.sdo[0x1017].raw = 0
+    judge.nmt.state = "PRE-OPERATIONAL"
+    chance = random.Random(7)
+    seen = set()
+    for _ in range(100):
+        data = bytes([chance.choice([0x01, 0x02, 0x80]), chance.choice([0, 1, 2])])
+        judge.nmt.on_command(0, data, 0.0)
+        bench.send(0, data)
+        bench.wait(1)
+        assert names[bench.peer.nmt(0)] == judge.nmt.state
+        seen.add(judge.nmt.state)
+    assert seen == set(names.values())
+
+
+class Port:
+    """What python-can takes for its serial port: the adapter, in the time of the drives."""
+
+    def __init__(self, peer: PeerDrives) -> None:
+        self.peer = peer
+        self.unread = b""
+        self.write_timeout: float | None = None
+
+    def write(self, text: bytes) -> None:
+        self.peer.write(0, text)
+
+    @property
+    def in_waiting(self) -> int:
+        self.peer.wait(MILLISECOND)
+        self.unread += self.peer.read_all(0)
+        return len(self.unread)
+
+    def read(self, count: int) -> bytes:
+        taken, self.unread = self.unread[:count], self.unread[count:]
+        return taken
+
+    def flush(self) -> None: ...
+
+    def close(self) -> None: ...
+
+
+@pytest.mark.parametrize(
+    "dialect",
+    [
+        {},
+        {"acknowledgement": Acknowledgement.CR},
+        {"acknowledgement": Acknowledgement.NONE},
+        {"lower_case": True, "timestamps": True},
+        {"pieces": True, "piece_delay": MILLISECOND},
+    ],
+)
+def test_python_can_speaks_to_the_drives_through_the_adapter(
+    library: Library, monkeypatch: pytest.MonkeyPatch, dialect: dict[str, Any]
+) -> None:
+    bus = Bus(bit_rate=500_000, adapter=True, variation=BusVariation(**dialect))
+    peer = PeerDrives(library, [bus], [drive()])
+    monkeypatch.setattr("serial.serial_for_url", lambda *_, **__: Port(peer))
+    with can.Bus("port", interface="slcan", bitrate=500_000, sleep_after_open=0) as master:
+        ask = bytes([0x40, 0x18, 0x10, 1, 0, 0, 0, 0])
+        heard: list[can.Message] = []
+        for _ in range(100):
+            if len(heard) == 1:
+                master.send(can.Message(arbitration_id=0x601, data=ask, is_extended_id=False))
+            message = master.recv(0)
+            heard += [] if message is None else [message]
+            if len(heard) == 2:
+                break
+        boot, answer = heard
+    assert (boot.arbitration_id, bytes(boot.data)) == (0x701, b"\0")
+    assert (answer.arbitration_id, bytes(answer.data)) == (0x581, b"\x43\x18\x10\1\xfb\0\0\0")

@@ -3,7 +3,8 @@
  *
  * Written from CiA 301, CiA 402, ISO 11898-1, the Lawicel text protocol and public facts of the
  * EPOS4, without a look at the master. A pure library: no clock, no input or output, no state
- * outside `peer`, and memory is taken in peer_new() only.
+ * outside `peer`, and memory is taken in peer_new() only. Make it a shared library: the
+ * functions its sources share have short names.
  *
  * UNITS. Time is a count of nanoseconds from 0, when all drives are switched on. Angles rad,
  * torques N m at the motor shaft and in the motor's own sense, inertias kg m^2; what a drive's
@@ -299,7 +300,7 @@ bool peer_object(peer *p, uint32_t drive, uint16_t index, uint8_t sub, int64_t *
 peer_counters peer_counted(peer const *p, uint32_t drive);
 peer_bus_counters peer_bus_counted(peer const *p, uint32_t bus);
 
-/** Frames and bytes of the master that are still to be sent. */
+/** Frames of the master that are still to be sent. */
 size_t peer_waiting(peer const *p, uint32_t bus);
 
 /** Bits of a frame on the wire from start of frame to the end of the 3 bits between frames. */
