@@ -390,7 +390,9 @@ def test_a_program_opens_an_interface_that_came_back_at_a_reset() -> None:
         await_that(run, lambda: cause().endswith("bring it back, then reset: that opens it again"))
         assert cause().startswith("bus cable2: ")
         run.telemetry.ask("reset")
-        await_that(run, lambda: "socketcan:vcan1 cannot be opened again: the inter" in cause())
+        await_that(
+            run, lambda: "socketcan:vcan1 cannot be opened again: the interface is" in cause()
+        )
         ip("link", "set", "vcan1", "up")
         run.telemetry.ask("reset")
         await_that(run, lambda: "did not boot" in cause())
