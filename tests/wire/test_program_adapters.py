@@ -144,22 +144,24 @@ def test_a_bus_whose_lines_are_malformed_is_named_not_the_drive_that_was_not_hea
 def test_what_came_before_the_start_is_not_held_against_the_bus(
     program: Path, sockets: dict[str, Socket]
 ) -> None:
-    for bus, socket in sockets.items():
-        socket.plug_in(silent if bus == UNPLUGGED else BootingDrives)
-    late = sockets["base"]
-    late.adapter.hear = spoils(sockets[UNPLUGGED], late.adapter.hear)  # type: ignore[method-assign]
+    sockets["cable1"].plug_in(BootingDrives)
+    sockets[UNPLUGGED].plug_in(silent)
+    sockets["base"].plug_in(lambda line: NoisyStart(line, sockets[UNPLUGGED].line))
     assert stopped_by(program, sockets).startswith("drive cable_3 (bus cable2, node 1): did not")
 
 
-def spoils(other: Socket, hear: Callable[[bytes], None]) -> Callable[[bytes], None]:
-    """While this adapter is opened, noise comes from another one that is open already."""
+class NoisyStart(BootingDrives):
+    """While this adapter is opened, noise comes from another one, which is open already."""
 
-    def heard(command: bytes) -> None:
+    def __init__(self, line: SerialLine, other: SerialLine) -> None:
+        super().__init__(line)
+        self._other = other
+
+    def hear(self, command: bytes) -> None:
+        """As drives that boot; but before the bus is open the other line is noisy."""
         if command == b"O":
-            other.line.write(b"noise\r" * 100)
-        hear(command)
-
-    return heard
+            self._other.write(b"noise\r" * 100)
+        super().hear(command)
 
 
 # ---- Plugs ----
@@ -239,9 +241,7 @@ def test_the_control_loop_goes_on_while_an_adapter_is_opened(
         pull_out(run, plugged)
         plugged[UNPLUGGED].plug_in(silent)
         run.telemetry.ask("reset")
-        await_that(run, lambda: "is being opened again" in cause(run))
-        run.await_cycles(5)
-        assert "is being opened again" in cause(run), "the loop waited, or the test did"
+        await_that(run, lambda: "is being opened again" in cause(run))  # a cycle says so
         assert_working(run, plugged[UNPLUGGED])
 
 
@@ -254,7 +254,7 @@ def test_an_adapter_that_hangs_up_while_it_is_opened_may_be_tried_again(
         run.telemetry.ask("reset")
         await_that(run, lambda: plugged[UNPLUGGED].adapter.heard != [])
         plugged[UNPLUGGED].pull_out()
-        await_that(run, lambda: "cannot be opened again" in cause(run))
+        await_that(run, lambda: cause(run).endswith(("then reset once more", "opens it again")))
         plugged[UNPLUGGED].plug_in(acknowledging)
         run.telemetry.ask("reset")
         assert_working(run, plugged[UNPLUGGED])
@@ -279,7 +279,7 @@ def test_a_stop_ends_the_program_while_an_adapter_is_opened(
         pull_out(run, plugged)
         plugged[UNPLUGGED].plug_in(silent)
         run.telemetry.ask("reset")
-        await_that(run, lambda: "is being opened again" in cause(run))
+        await_that(run, lambda: plugged[UNPLUGGED].adapter.heard != [])
         status, _out, err = run.end(signal.SIGTERM)
         assert status == 1 and f"bus {UNPLUGGED}: " in err
 
