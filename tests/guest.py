@@ -161,12 +161,12 @@ def guest_lines(
 
 
 def qemu_command(boot: Boot, job: Path, interfaces: Sequence[str]) -> list[str]:
-    """QEMU with the guest's console on its standard output."""
+    """QEMU with the guest's console on its standard output, and a serial line to nowhere."""
     parameters = f"console=ttyS0 loglevel=1 panic=-1 nokaslr mitigations=off job={job}"
     return [
         *("qemu-system-x86_64", "-accel", "tcg", "-cpu", "max", "-M", "pc", "-m", "1G"),
         *("-nodefaults", "-no-user-config", "-display", "none", "-monitor", "none"),
-        *("-serial", "stdio", "-no-reboot", "-kernel", str(boot.kernel)),
+        *("-serial", "stdio", "-serial", "null", "-no-reboot", "-kernel", str(boot.kernel)),
         *("-initrd", str(boot.initrd)),
         *("-append", f"{parameters} interfaces={','.join(interfaces)}"),
         *("-virtfs", "local,path=/,mount_tag=host,security_model=none,readonly=on,multidevs=remap"),

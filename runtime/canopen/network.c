@@ -9,6 +9,8 @@
 
 /* More than a bus carries in two cycles: a flood of frames cannot hold the loop. */
 #define MOST_FRAMES_AT_ONCE 64u
+/* More than a port keeps from before the start. */
+#define MOST_OLD_FRAMES 1024u
 
 static const tb_bus fresh_bus;
 
@@ -17,12 +19,24 @@ static void count_up(uint8_t *count)
     *count = (*count < UINT8_MAX) ? (uint8_t)(*count + 1u) : *count;
 }
 
+/* What has come until now is an older story. A port that reads nothing but malformed text answers
+ * TB_CAN_EMPTY although more may wait. */
+static void take_over(tb_bus *bus, tb_can_port *port)
+{
+    tb_can_frame old;
+    *bus = fresh_bus;
+    bus->port = port;
+    for (size_t i = 0; i < MOST_OLD_FRAMES; i++) {
+        (void)tb_can_receive(port, &old);
+    }
+    bus->unreadable = port->statistics.malformed;
+}
+
 void tb_network_start(tb_network *network, tb_can_port *const ports[TB_BUSES])
 {
     network->cycle = 0;
     for (size_t i = 0; i < TB_BUSES; i++) {
-        network->buses[i] = fresh_bus;
-        network->buses[i].port = ports[i];
+        take_over(&network->buses[i], ports[i]);
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
         tb_drive_link_start(&network->links[i], &tb_drives[i]);
@@ -159,8 +173,19 @@ _Static_assert((TB_BUS_LOST == TB_CAN_BUS_OFF) && (TB_BUS_LOST < TB_CAN_NOT_OPEN
                    (TB_BUS_LOST > TB_CAN_ERROR_PASSIVE),
                "the supervisor knows in which states a bus carries no frames");
 
+/* What arrived and was no frame: only the port has seen it. */
+static void count_unreadable(tb_bus *bus)
+{
+    uint32_t const until_now = bus->port->statistics.malformed;
+    for (uint32_t i = bus->unreadable; (i < until_now) && (bus->malformed < UINT8_MAX); i++) {
+        count_up(&bus->malformed);
+    }
+    bus->unreadable = until_now;
+}
+
 static void report_bus(tb_bus *bus, tb_bus_report *report)
 {
+    count_unreadable(bus);
     report->state = (uint8_t)tb_can_port_state(bus->port);
     report->refused = bus->refused;
     report->stranger = bus->stranger;

@@ -25,6 +25,7 @@ typedef struct {
     uint8_t refused;   /* as in tb_bus_report */
     uint8_t stranger;  /* as in tb_bus_report */
     uint8_t malformed; /* as in tb_bus_report */
+    uint32_t unreadable; /* malformed in the port's statistics, until the last report */
 } tb_bus;
 
 /** All buses with all drives. */

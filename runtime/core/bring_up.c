@@ -18,6 +18,16 @@ static tb_blame await_task(const tb_supervisor *supervisor, const tb_observation
     return blame;
 }
 
+/* A drive may well have answered on a bus that delivers what cannot be read. */
+static tb_blame suspect_bus(const tb_supervisor *supervisor, tb_blame blame)
+{
+    uint8_t const bus = tb_drives[blame.culprit].bus;
+    if ((blame.cause != TB_CAUSE_DRIVE_MISSING) || (supervisor->spoiled[bus] == 0)) {
+        return blame;
+    }
+    return tb_blame_for(TB_CAUSE_BUS_CORRUPT, bus, 1);
+}
+
 tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen)
 {
     bool done;
@@ -26,7 +36,7 @@ tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen)
         tb_order_task(supervisor, tb_all_drives, TB_TASK_IDENTIFY);
         tb_enter(supervisor, TB_STATE_IDENTIFY, TB_PHASE_NONE);
     }
-    return blame;
+    return suspect_bus(supervisor, blame);
 }
 
 tb_blame tb_identify(tb_supervisor *supervisor, const tb_observation *seen)
@@ -37,7 +47,7 @@ tb_blame tb_identify(tb_supervisor *supervisor, const tb_observation *seen)
         tb_order_task(supervisor, tb_all_drives, TB_TASK_CONFIGURE);
         tb_enter(supervisor, TB_STATE_CONFIGURE, TB_PHASE_CONTRACT);
     }
-    return blame;
+    return suspect_bus(supervisor, blame);
 }
 
 static tb_blame write_contract(tb_supervisor *supervisor, const tb_observation *seen)

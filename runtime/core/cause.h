@@ -21,7 +21,8 @@ typedef enum {
     TB_CAUSE_DRIVE_DEAF,        /* drive: its torque is not what it was told */
     TB_CAUSE_BUS_OFF,           /* bus: cut off, or its device has gone */
     TB_CAUSE_BUS_FULL,          /* bus: a frame could not be sent (ENOBUFS) */
-    TB_CAUSE_BUS_CORRUPT,       /* bus: malformed frames again and again */
+    TB_CAUSE_BUS_CORRUPT,       /* bus: what it delivers is malformed again and again, or kept a drive
+                                   from being heard */
     TB_CAUSE_CYCLES_MISSED,     /* the loop came too late */
     TB_CAUSE_HOMING,            /* drive: homing failed or found no stop in time */
     TB_CAUSE_CALIBRATION,       /* cable zeros not observable, or the fit does not close */

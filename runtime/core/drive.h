@@ -129,7 +129,8 @@ typedef struct {
     uint8_t state;     /* tb_can_state */
     uint8_t refused;   /* frames that could not be sent since the last cycle, stops at 255 */
     uint8_t stranger;  /* a node that is not in the machine file spoke: its number; 0 for none */
-    uint8_t malformed; /* frames with the wrong length or content since the last cycle */
+    uint8_t malformed; /* since the last cycle: frames with the wrong length or content, and what
+                          arrived and was no frame; stops at 255 */
 } tb_bus_report;
 
 #endif

@@ -193,25 +193,28 @@ static bool is_corrupt(uint16_t *weight, uint8_t divider, bool malformed)
 
 static tb_blame examine_bus(tb_supervisor *supervisor, const tb_bus_report *bus, size_t index)
 {
+    bool const malformed = bus->malformed != 0;
     bool const corrupt =
-        is_corrupt(&supervisor->corrupt[index], tb_buses[index].divider, bus->malformed != 0);
+        is_corrupt(&supervisor->corrupt[index], tb_buses[index].divider, malformed);
+    supervisor->spoiled[index] = ((supervisor->spoiled[index] != 0) || malformed) ? 1 : 0;
     if (bus->stranger != 0) {
         return tb_blame_for(TB_CAUSE_STRANGER, index, bus->stranger);
     }
-    if (bus->refused != 0) {
-        return tb_blame_for(TB_CAUSE_BUS_FULL, index, bus->refused);
+    if (corrupt) {
+        return tb_blame_for(TB_CAUSE_BUS_CORRUPT, index, bus->malformed);
     }
-    return corrupt ? tb_blame_for(TB_CAUSE_BUS_CORRUPT, index, bus->malformed) : tb_no_blame();
+    return (bus->refused != 0) ? tb_blame_for(TB_CAUSE_BUS_FULL, index, bus->refused)
+                               : tb_no_blame();
 }
 
-/* In INIT a bus may be without any drive that takes frames, or full of what they said before. */
+/* In INIT a bus may be without any drive that takes frames. */
 static tb_blame examine_buses(tb_supervisor *supervisor, const tb_observation *seen)
 {
     tb_blame worst = tb_no_blame();
     for (size_t i = 0; i < TB_BUSES; i++) {
         tb_blame const blame = examine_bus(supervisor, &seen->buses[i], i);
         bool const counts = (supervisor->state != TB_STATE_INIT) ||
-                            (blame.cause == TB_CAUSE_STRANGER);
+                            (blame.cause != TB_CAUSE_BUS_FULL);
         worst = (counts && (worst.cause == TB_CAUSE_NONE)) ? blame : worst;
     }
     return worst;

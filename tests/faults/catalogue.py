@@ -142,6 +142,7 @@ NO_ANSWER = (
 NOT_STARTED = Sign("DRIVE_SETUP", START, (CONTRACT,))
 SILENT = Sign("DRIVE_SILENT", SYNCS)
 NO_BOOT_UP = Sign("DRIVE_MISSING", "TB_STATE_TIMEOUT", (INIT,))
+MALFORMED_BOOT_UP = Sign("BUS_CORRUPT", "TB_STATE_TIMEOUT", (INIT,))
 
 ERRORS = {
     0x1000: "generic",
@@ -306,8 +307,8 @@ def heartbeats(target: Target) -> Iterator[Fault]:
     yield fault("heartbeat lost always", lost, hit(DROP, ALWAYS))
     yield fault("heartbeat doubled always", twice, hit(TWICE, ALWAYS))
     yield fault("heartbeat a cycle late always", (), hit(LATE, ALWAYS))
-    yield fault("heartbeat too short once", (NO_BOOT_UP,), hit(SHORT, 1))
-    yield fault("heartbeat too short always", lost, hit(SHORT, ALWAYS))
+    yield fault("heartbeat too short once", (MALFORMED_BOOT_UP,), hit(SHORT, 1))
+    yield fault("heartbeat too short always", (MALFORMED_BOOT_UP, *lost[1:]), hit(SHORT, ALWAYS))
 
 
 def set_up(target: Target) -> Iterator[Fault]:
@@ -343,7 +344,8 @@ def set_up(target: Target) -> Iterator[Fault]:
     yield fault("SDO answer lost once", NO_ANSWER[1:] + no_mode, hit(DROP, 1))
     yield fault("SDO answers hold other values", other + no_mode, hit(flip("00000000 40"), ALWAYS))
     yield fault("SDO answers doubled", twice, hit(TWICE, ALWAYS))
-    yield fault("SDO answers too short", (*NO_ANSWER[1:], *no_mode), hit(SHORT, ALWAYS))
+    malformed = (Sign("BUS_CORRUPT", NO_ANSWER[1].after, (IDENTIFY,)), NO_ANSWER[2])
+    yield fault("SDO answers too short", (*malformed, *no_mode), hit(SHORT, ALWAYS))
     yield fault("another vendor", vendor, target.act(foreign))
     yield fault("refuses its map", (contract,), refuses(0x1A00, 0x08000022))
     yield fault("refuses its mode", (contract, *no_mode), refuses(0x6060, 0x06090030))

@@ -2,7 +2,7 @@
 
 import math
 import struct
-from ctypes import addressof, byref
+from ctypes import addressof, byref, c_void_p
 from typing import Any
 
 import pytest
@@ -480,6 +480,35 @@ def test_extended_and_remote_frames_are_malformed(running: Bench, flags: int) ->
     running.cycle()
     assert running.seen.buses[0].malformed == 1
     assert running.seen.drives[CABLE].power == C.TB_POWER_ENABLED
+
+
+@pytest.mark.parametrize(("more", "reported"), [(0, 0), (1, 1), (255, 255), (1000, 255)])
+def test_what_a_port_could_not_read_is_malformed(running: Bench, more: int, reported: int) -> None:
+    running.loops[1].port.statistics.malformed += more
+    running.cycle()
+    assert [bus.malformed for bus in running.seen.buses] == [0, reported, 0]
+    running.cycle()
+    assert [bus.malformed for bus in running.seen.buses] == [0, 0, 0]
+
+
+def test_what_came_before_the_start_is_an_older_story(running: Bench) -> None:
+    running.loops[0].port.statistics.malformed = 7
+    running.give(0, Frame(0x7E4, bytes(8)), Frame(0x711, b"\5"))
+    running.start((c_void_p * len(running.loops))(*map(addressof, running.loops)))
+    running.cycle()
+    assert [(bus.malformed, bus.stranger) for bus in running.seen.buses] == [(0, 0)] * 3
+
+
+def test_drives_of_a_bus_that_was_opened_again_are_brought_under_torque_again(
+    running: Bench,
+) -> None:
+    C.tb_loopback_set_state(byref(running.loops[1]), C.TB_CAN_NOT_OPEN)
+    running.cycle(HEARTBEAT_TIMEOUT + 20)
+    assert set(fields(running, "silent")[2:4]) == {1}
+    C.tb_loopback_open(byref(running.loops[1]))
+    running.order(task=C.TB_TASK_NONE, goal=C.TB_GOAL_FAULT_RESET)
+    running.enable()
+    assert set(fields(running, "silent")) == set(fields(running, "missed")) == {0}
 
 
 @pytest.mark.parametrize("state", ["BUS_OFF", "NOT_OPEN"])

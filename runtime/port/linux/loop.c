@@ -66,6 +66,7 @@ static uint32_t arm_once(tb_loop *loop)
 static void wish(tb_loop *loop, tb_wishes *wishes)
 {
     tb_inbox_read(&loop->inbox, &loop->telemetry->inbox, wishes);
+    wishes->requests = tb_reopen(&loop->reopening, loop->master->orders.state, wishes->requests);
     if (is_stop_wished(loop)) {
         wishes->requests = TB_REQUEST_STOP;
         loop->stopping++;

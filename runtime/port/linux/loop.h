@@ -13,6 +13,7 @@
 #include "inbox.h"
 #include "master.h"
 #include "options.h"
+#include "reopening.h"
 #include "telemetry.h"
 #include "watchdog.h"
 
@@ -31,6 +32,7 @@ typedef struct {
     tb_telemetry_file *telemetry;
     tb_watchdog watchdog;
     tb_inbox inbox;
+    tb_reopening reopening;
     tb_loop_times times;
     uint64_t number;   /* of the cycle that runs */
     uint64_t stopping; /* cycles since a stop was wished */

@@ -50,6 +50,7 @@ static int report_end(const tb_loop *loop, tb_end end)
     if (!asked) {
         char cause[TB_TELEMETRY_TEXT];
         tb_sentence_of_cause(orders, sizeof cause, cause);
+        tb_reopening_tell(&loop->reopening, sizeof cause, cause);
         tb_say("stopped: %s", cause);
     }
     if (end == TB_END_NOT_OFF) {
