@@ -32,6 +32,7 @@ ROOM = 256
 READY = 4
 """TB_PHASE_READY."""
 
+Arrival = Callable[[Sequence[bytes]], None]
 Tap = Callable[[int, Frame], None]
 """Takes the number of a bus and a frame."""
 
@@ -90,6 +91,9 @@ class Lockstep:
         self.hand_force_fresh = True
         self.taps: list[Tap] = []
         """Told of every frame the master sends, before anything can happen to it."""
+        self.arrivals: list[Arrival] = []
+        """Told of the packed frames that reach the master's ports, twice a cycle: when it reads the
+        answers, and at the end."""
         self.lost = 0
         """Frames of the drives that the master's ports did not take."""
         self.missed = 0
@@ -204,6 +208,8 @@ class Lockstep:
             for number, bus in enumerate(self.machine.buses)
             for cob, data in bus.take()
         ]
+        for arrival in self.arrivals:
+            arrival(packed)
         if packed:
             taken = self._library.shim_give(self._memory, b"".join(packed), len(packed))
             self.lost += len(packed) - taken
