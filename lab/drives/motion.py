@@ -30,21 +30,22 @@ def clip(value: float, limit: float) -> float:
 
 
 class Encoder:
-    """Counts increments from wherever the motor stood at power-on."""
+    """Counts increments; at power-on it has the count `start`, wherever the motor stands."""
 
-    def __init__(self, increments_per_turn: int) -> None:
+    def __init__(self, increments_per_turn: int, start: int = 0) -> None:
         self.per_radian = increments_per_turn / (2.0 * pi)
-        self.count = 0
+        self.count = start
         self.speed = 0.0  # rad/s, filtered
         self.frozen = False
         """Fault: keeps its count whatever the motor does."""
+        self.start_count = start
         self._start: float | None = None
         self._jumped = 0
 
     def restart(self) -> None:
-        """Power-on: zero is where the motor stands."""
+        """Power-on: counts from where the motor stands."""
         self._start, self._jumped = None, 0
-        self.count, self.speed = 0, 0.0
+        self.count, self.speed = self.start_count, 0.0
 
     def turn(self, angle: float, seconds: float) -> None:
         """The motor is at an angle [rad], so long after it was last looked at."""
@@ -52,7 +53,8 @@ class Encoder:
             self._start = angle
         before = self.count
         if not self.frozen:
-            self.count = floor((angle - self._start) * self.per_radian) + self._jumped
+            turned = floor((angle - self._start) * self.per_radian)
+            self.count = self.start_count + turned + self._jumped
         rate = (self.count - before) / (self.per_radian * seconds)
         share = SPEED_CORNER * seconds
         self.speed += share / (1.0 + share) * (rate - self.speed)
