@@ -20,6 +20,7 @@ bool tb_is_hard(tb_cause cause)
     case TB_CAUSE_CABLE_BREAK:
     case TB_CAUSE_RUNAWAY:
     case TB_CAUSE_MEMORY:
+    case TB_CAUSE_DRIVE_LOCAL:
         return true;
     default:
         return false;
@@ -35,6 +36,14 @@ bool tb_is_in_fault(const tb_drive_report *report)
 static bool is_silent(const tb_drive_report *report)
 {
     return (report->silent != 0) || (report->missed > TB_MISSED_LIMIT);
+}
+
+tb_blame tb_blame_silent(const tb_drive_report *report, size_t index)
+{
+    bool const is_local =
+        (report->silent == TB_SILENCE_LOCAL) && (report->missed <= TB_MISSED_LIMIT);
+    return is_local ? tb_blame_for(TB_CAUSE_DRIVE_LOCAL, index, report->statusword)
+                    : tb_blame_for(TB_CAUSE_DRIVE_SILENT, index, report->missed);
 }
 
 /* Out of the ordered power state, or in another mode than the one it works in. */
@@ -95,7 +104,7 @@ static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observat
         return tb_blame_for(TB_CAUSE_DRIVE_FAULT, index, report->error_code);
     }
     if (is_silent(report)) {
-        return tb_blame_for(TB_CAUSE_DRIVE_SILENT, index, report->missed);
+        return tb_blame_silent(report, index);
     }
     if (has_left(&supervisor->drives[index], report)) {
         return tb_blame_for(TB_CAUSE_DRIVE_STATE, index, report->statusword);
@@ -163,6 +172,10 @@ static tb_blame examine_bus(tb_supervisor *supervisor, const tb_bus_report *bus,
 {
     bool const corrupt =
         is_corrupt(&supervisor->corrupt[index], tb_buses[index].divider, bus->malformed != 0);
+    if (bus->stranger >= TB_STRANGER_MASTER) {
+        return tb_blame_for(TB_CAUSE_OTHER_MASTER, index,
+                            (uint32_t)bus->stranger - TB_STRANGER_MASTER);
+    }
     if (bus->stranger != 0) {
         return tb_blame_for(TB_CAUSE_STRANGER, index, bus->stranger);
     }
@@ -178,8 +191,7 @@ static tb_blame examine_buses(tb_supervisor *supervisor, const tb_observation *s
     tb_blame worst = tb_no_blame();
     for (size_t i = 0; i < TB_BUSES; i++) {
         tb_blame const blame = examine_bus(supervisor, &seen->buses[i], i);
-        bool const counts = (supervisor->state != TB_STATE_INIT) ||
-                            (blame.cause == TB_CAUSE_STRANGER);
+        bool const counts = (supervisor->state != TB_STATE_INIT) || (seen->buses[i].stranger != 0);
         worst = (counts && (worst.cause == TB_CAUSE_NONE)) ? blame : worst;
     }
     return worst;

@@ -46,7 +46,7 @@ static const char *const causes[] = {
     [TB_CAUSE_DRIVE_DIFFERENT] = "is not the drive of the machine file",
     [TB_CAUSE_DRIVE_SETUP] = "did not take its configuration",
     [TB_CAUSE_DRIVE_TWICE] = "two nodes have its number",
-    [TB_CAUSE_STRANGER] = "a node that the machine file does not know",
+    [TB_CAUSE_STRANGER] = "a message that the machine file does not have",
     [TB_CAUSE_DRIVE_SILENT] = "stopped answering",
     [TB_CAUSE_DRIVE_LATE] = "answers too late again and again",
     [TB_CAUSE_DRIVE_FAULT] = "is in its fault state",
@@ -67,6 +67,8 @@ static const char *const causes[] = {
     [TB_CAUSE_BASE_LOST] = "its base does not follow",
     [TB_CAUSE_CONTROLLER] = "the controller step failed too often",
     [TB_CAUSE_MEMORY] = "the runtime's memory was damaged",
+    [TB_CAUSE_DRIVE_LOCAL] = "is not under remote control",
+    [TB_CAUSE_OTHER_MASTER] = "another master is on the bus",
 };
 
 static const char *const culprits[] = {
@@ -97,6 +99,8 @@ static const char *const culprits[] = {
     [TB_CAUSE_BASE_LOST] = "drive",
     [TB_CAUSE_CONTROLLER] = "",
     [TB_CAUSE_MEMORY] = "",
+    [TB_CAUSE_DRIVE_LOCAL] = "drive",
+    [TB_CAUSE_OTHER_MASTER] = "bus",
 };
 
 static const char *const advice[] = {
@@ -106,7 +110,7 @@ static const char *const advice[] = {
     [TB_CAUSE_DRIVE_DIFFERENT] = "correct the machine file, or change the drive",
     [TB_CAUSE_DRIVE_SETUP] = "correct the machine file, or reset the drive's parameters",
     [TB_CAUSE_DRIVE_TWICE] = "give one of them another number",
-    [TB_CAUSE_STRANGER] = "take it off the bus, or put it into the machine file",
+    [TB_CAUSE_STRANGER] = "take it off the bus, or put it with its frames into a table [[node]]",
     [TB_CAUSE_DRIVE_SILENT] = "check its power and its cable",
     [TB_CAUSE_DRIVE_LATE] = "check the bus load and the adapter",
     [TB_CAUSE_DRIVE_FAULT] = "clear what its manual names, then reset",
@@ -127,6 +131,8 @@ static const char *const advice[] = {
     [TB_CAUSE_BASE_LOST] = "look what blocks the carriage",
     [TB_CAUSE_CONTROLLER] = "look for a force that is no number",
     [TB_CAUSE_MEMORY] = "report it: computer or program are at fault",
+    [TB_CAUSE_DRIVE_LOCAL] = "close the drive's own software, see that the bus controls it",
+    [TB_CAUSE_OTHER_MASTER] = "end the other program, or take the other master off the bus",
 };
 
 #define COUNT(texts) (sizeof(texts) / sizeof((texts)[0]))
