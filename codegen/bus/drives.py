@@ -10,6 +10,8 @@ from model.bus.plan import compute_phase, loads, timing
 from model.machine import Machine
 
 MODES = {"torque": 0, "position": 1}
+NO_FRAME = "{0x800, 0}"
+"""An identifier has 11 bits."""
 
 
 def drive_fields(machine: Machine) -> dict[str, object]:
@@ -18,6 +20,7 @@ def drive_fields(machine: Machine) -> dict[str, object]:
         "groups": groups(machine),
         "buses": [bus_row(machine, number) for number in range(len(machine.buses))],
         "drives": [drive_row(machine, axis) for axis in axes(machine)],
+        "node_frames": node_frames(machine),
     }
 
 
@@ -38,6 +41,7 @@ def sizes(machine: Machine) -> list[Constant]:
     return [
         Constant("TB_BUSES", str(len(machine.buses))),
         Constant("TB_DRIVES", str(len(machine.drives)), meaning),
+        Constant("TB_NODE_FRAMES", str(len(node_frames(machine))), "of nodes that are no drives"),
     ]
 
 
@@ -150,6 +154,17 @@ def bus_row(machine: Machine, number: int) -> str:
     """A tb_bus_table."""
     bus = loads(machine)[number]
     return f'{{"{bus.name}", {round(bus.bit_rate)}U, {bus.divider}}}'
+
+
+def node_frames(machine: Machine) -> list[str]:
+    """Rows of tb_node_frame; one that nobody sends where there are none: C has no empty arrays."""
+    buses = [bus.name for bus in machine.buses]
+    rows = [
+        f"{{0x{identifier:03X}, {buses.index(node.bus)}}}"
+        for node in machine.nodes
+        for identifier in node.identifiers
+    ]
+    return rows or [NO_FRAME]
 
 
 def drive_row(machine: Machine, axis: Axis) -> dict[str, object]:

@@ -72,7 +72,7 @@ class Drive:
         self._send = send
         self._objects = Objects()
         self.describe()
-        self.servo = Servo(self._objects, setup.ratings)
+        self.servo = Servo(self._objects, setup.ratings, setup.start_count)
         self._pdos = ProcessData(self._objects)
         self._handlers: dict[int, Callable[[bytes], None]] = {}
         self._sdo = SdoNode(

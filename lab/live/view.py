@@ -11,7 +11,7 @@ from rich.text import Text
 
 from lab.live.plane import draw_plane, has_plane
 from lab.live.telemetry import Record, Telemetry, rates
-from lab.live.words import BUS_STATES, MODES, POWERS, STATES, TASKS, word
+from lab.live.words import BUS_STATES, MODES, POWERS, SILENCES, STATES, TASKS, word
 from model.machine import Machine
 
 BAR = 20
@@ -127,7 +127,7 @@ def drives(telemetry: Telemetry, cycle: Record) -> Table:
 def remarks(drive: Record) -> Iterator[str]:
     """What is unusual about a drive."""
     if drive["silent"]:
-        yield "silent"
+        yield word(SILENCES, int(drive["silent"]))
     if drive["missed"]:
         yield f"{drive['missed']} answers missing"
     if drive["error_code"]:

@@ -53,19 +53,22 @@ static bool is_usable(const tb_bus *bus)
 
 static void send(tb_bus *bus, const tb_can_frame *frame)
 {
-    if (tb_can_send(bus->port, frame) != TB_CAN_OK) {
+    if (tb_can_send(bus->port, frame) == TB_CAN_OK) {
+        tb_echo_keep(&bus->echo, frame);
+    } else {
         count_up(&bus->refused);
     }
 }
 
 /* ---- Receiving ---- */
 
-/* What only a master says. Whoever else says it is taken for the node that a master is. */
+/* What only a master says. */
 static bool is_from_a_master(uint32_t id)
 {
     static const uint32_t functions[] = {TB_COB_RPDO1, TB_COB_RPDO2, TB_COB_RPDO3, TB_COB_RPDO4,
                                          TB_COB_SDO_REQUEST};
-    bool found = (id == TB_COB_NMT) || (id == TB_COB_SYNC) || (id == TB_COB_TIME);
+    bool found = (id == TB_COB_NMT) || (id == TB_COB_SYNC) || (id == TB_COB_TIME) ||
+                 (id == (TB_COB_ERROR_CONTROL + TB_MASTER_NODE));
     for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
         found = found || ((id & TB_COB_FUNCTION_MASK) == functions[i]);
     }
@@ -94,9 +97,27 @@ static tb_drive_link *find_link(tb_network *network, size_t bus, uint32_t node)
     return NULL;
 }
 
-static void name_stranger(tb_bus *bus, uint32_t node)
+/* A frame that another node of the machine file may send. */
+static bool is_from_another_node(size_t bus, uint32_t id)
 {
-    bus->stranger = (bus->stranger == 0) ? (uint8_t)node : bus->stranger;
+    for (size_t i = 0; i < TB_NODE_FRAMES; i++) {
+        if ((tb_node_frames[i].bus == bus) && (tb_node_frames[i].id == id)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void name_stranger(tb_bus *bus, uint32_t who)
+{
+    bus->stranger = (bus->stranger == 0) ? (uint8_t)who : bus->stranger;
+}
+
+static void name_other_master(tb_bus *bus, const tb_can_frame *frame)
+{
+    if (!tb_echo_take(&bus->echo, frame)) {
+        name_stranger(bus, TB_STRANGER_MASTER | (frame->id >> TB_COB_NODE_BITS));
+    }
 }
 
 static void route(tb_network *network, size_t index, const tb_can_frame *frame, bool in_time)
@@ -106,8 +127,10 @@ static void route(tb_network *network, size_t index, const tb_can_frame *frame, 
     tb_drive_link *const link = find_link(network, index, node);
     if ((frame->flags != 0) || (frame->id > TB_COB_LARGEST)) {
         count_up(&bus->malformed);
+    } else if (is_from_another_node(index, frame->id)) {
+        /* none of the machine's business */
     } else if (is_from_a_master(frame->id)) {
-        name_stranger(bus, TB_MASTER_NODE);
+        name_other_master(bus, frame);
     } else if (!is_from_a_drive(frame->id)) {
         count_up(&bus->malformed);
     } else if (link == NULL) {

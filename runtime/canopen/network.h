@@ -15,11 +15,13 @@
 
 #include "can.h"
 #include "drive_link.h"
+#include "echo.h"
 #include "supervisor.h"
 
 /** One bus; the counters are of the time since the last report. */
 typedef struct {
     tb_can_port *port;
+    tb_echo echo;      /* what was sent */
     uint8_t synced;    /* 1: the last SYNC that was due was sent */
     uint8_t served;    /* drive whose acyclic frame was sent last */
     uint8_t refused;   /* as in tb_bus_report */

@@ -134,10 +134,12 @@ def flip(hexadecimal: str) -> Disturbance:
 SYNCS = "(TB_MISSED_LIMIT + 1) * divider"
 START = f"{SET_UP} + TB_STATE_TIMEOUT"
 """By when the last drive must have been started."""
+ASKED_THRICE = "3 * (DRIVES_ON_BUS + TB_ANSWER_TIMEOUT)"
+"""By when an SDO request and its two repetitions are not answered."""
 NO_ANSWER = (
     Sign("DRIVE_MISSING", "TB_STATE_TIMEOUT", (INIT,)),
-    Sign("DRIVE_MISSING", "DRIVES_ON_BUS + TB_ANSWER_TIMEOUT", (IDENTIFY,)),
-    Sign("DRIVE_SETUP", "DRIVES_ON_BUS + TB_ANSWER_TIMEOUT", (CONTRACT,)),
+    Sign("DRIVE_MISSING", ASKED_THRICE, (IDENTIFY,)),
+    Sign("DRIVE_SETUP", ASKED_THRICE, (CONTRACT,)),
 )
 NOT_STARTED = Sign("DRIVE_SETUP", START, (CONTRACT,))
 SILENT = Sign("DRIVE_SILENT", SYNCS)
@@ -202,8 +204,8 @@ def silences(target: Target) -> Iterator[Fault]:
     fault = target.fault
     unknown = (Sign("DRIVE_STATE", "divider"), Sign("DRIVE_STATE", START, (CONTRACT,)))
     off = (Sign("DRIVE_STATE", "divider", target.powered),)
-    not_remote = (Sign("DRIVE_SILENT", "divider"), Sign("DRIVE_SILENT", START, (CONTRACT,)))
-    again = (Sign("DRIVE_TWICE", str(BOOTED), (IDENTIFY, CONTRACT)), SILENT)
+    not_remote = (Sign("DRIVE_LOCAL", "divider"), Sign("DRIVE_LOCAL", START, (CONTRACT,)))
+    again = (Sign("DRIVE_SETUP", str(BOOTED), (CONTRACT,)), SILENT)
     act = target.act
     yield fault("silent", (*NO_ANSWER, SILENT), act(set_silent))
     yield fault("without supply", (*NO_ANSWER, SILENT), act(Drive.shut_down), powerless=True)
@@ -300,12 +302,11 @@ def setpoints(target: Target) -> Iterator[Fault]:
 def heartbeats(target: Target) -> Iterator[Fault]:
     """A drive's heartbeat is lost, doubled, late or wrong."""
     lost = (NO_BOOT_UP, NOT_STARTED, Sign("DRIVE_SILENT", "TB_HEARTBEAT_TIMEOUT"))
-    twice = (Sign("DRIVE_TWICE", str(BOOTED), (INIT,)),)
     hit = partial(target.disturb, HEARTBEAT)
     fault = target.fault
     yield fault("heartbeat lost once", (NO_BOOT_UP,), hit(DROP, 1))
     yield fault("heartbeat lost always", lost, hit(DROP, ALWAYS))
-    yield fault("heartbeat doubled always", twice, hit(TWICE, ALWAYS))
+    yield fault("heartbeat doubled always", (), hit(TWICE, ALWAYS))
     yield fault("heartbeat a cycle late always", (), hit(LATE, ALWAYS))
     yield fault("heartbeat too short once", (MALFORMED_BOOT_UP,), hit(SHORT, 1))
     yield fault("heartbeat too short always", (MALFORMED_BOOT_UP, *lost[1:]), hit(SHORT, ALWAYS))
@@ -336,12 +337,13 @@ def set_up(target: Target) -> Iterator[Fault]:
     contract = Sign("DRIVE_SETUP", str(SET_UP), (IDENTIFY, CONTRACT))
     second = (
         Sign("DRIVE_TWICE", f"{SET_UP}", BEFORE_SERVICE),
+        Sign("DRIVE_SETUP", f"{SET_UP}", BEFORE_SERVICE),
         Sign("DRIVE_SILENT", str(BOOTED)),
     )
     hit = partial(target.disturb, SDO_ANSWER)
     fault = target.fault
     yield fault("SDO answers lost", (*NO_ANSWER[1:], *no_mode), hit(DROP, ALWAYS))
-    yield fault("SDO answer lost once", NO_ANSWER[1:] + no_mode, hit(DROP, 1))
+    yield fault("SDO answer lost once", (), hit(DROP, 1))
     yield fault("SDO answers hold other values", other + no_mode, hit(flip("00000000 40"), ALWAYS))
     yield fault("SDO answers doubled", twice, hit(TWICE, ALWAYS))
     malformed = (Sign("BUS_CORRUPT", NO_ANSWER[1].after, (IDENTIFY,)), NO_ANSWER[2])
@@ -382,7 +384,8 @@ def buses(number: int, name: str, drives: tuple[int, ...], divider: int) -> Iter
     yield fault("error passive", (), becomes(BusState.ERROR_PASSIVE))
     yield fault("full", full, becomes(BusState.ERROR_ACTIVE, full=True), deaf=True)
     yield fault("a stranger", strange, stranger)
-    yield fault("another master", (Sign("STRANGER", moments=everywhere),), says(0x202, b"\0\0\0\0"))
+    master = (Sign("OTHER_MASTER", moments=everywhere),)
+    yield fault("another master", master, says(0x202, b"\0\0\0\0"))
     yield fault("a frame of nobody", (), says(0x6E5, b"\1"))
     yield fault("SYNC lost once", (), hit(DROP, 1))
     yield fault("SYNC lost always", (NOT_STARTED, SILENT), hit(DROP, ALWAYS), deaf=True)

@@ -316,10 +316,15 @@ def one_drive(index: int, **values: int) -> Callable[[Observation], None]:
     return spoil
 
 
+#: Of a base drive: 5 and 39 objects, each written and read; two requests repeated; two restarts.
+LONGEST_TASK = (2 * 44 + 2) * 2 * int(NUMBERS["TB_ANSWER_TIMEOUT"]) + 3 * STATE_TIMEOUT
 first_base, last_base = partial(one_drive, CABLES), partial(one_drive, DRIVES - 1)
 WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
     # where, what the drives say for ever, the cause, its culprit, cycles
-    ("INIT NONE", stuck(task=0), "DRIVE_MISSING", 0, 64 * int(NUMBERS["TB_ANSWER_TIMEOUT"])),
+    ("INIT NONE", last_base(task=0), "DRIVE_MISSING", DRIVES - 1, LONGEST_TASK),
+    ("CONFIGURE CONTRACT", first_base(progress=1), "DRIVE_MISSING", 4, LONGEST_TASK),
+    ("CONFIGURE START", first_base(task=0), "DRIVE_MISSING", 4, LONGEST_TASK),
+    ("CONFIGURE START", last_base(silent=2), "DRIVE_LOCAL", DRIVES - 1, STATE_TIMEOUT),
     ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
     ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, STATE_TIMEOUT),
     ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, STATE_TIMEOUT),
@@ -433,6 +438,10 @@ FAILURES = [
     ("IDENTIFY NONE", Failure.TWICE, "DRIVE_TWICE"),
     ("CONFIGURE CONTRACT", Failure.ABORT, "DRIVE_SETUP"),
     ("CONFIGURE CONTRACT", Failure.TWICE, "DRIVE_TWICE"),
+    ("INIT NONE", Failure.RESTARTED, "DRIVE_MISSING"),
+    ("IDENTIFY NONE", Failure.SIZE, "DRIVE_DIFFERENT"),
+    ("CONFIGURE CONTRACT", Failure.RESTARTED, "DRIVE_SETUP"),
+    ("CONFIGURE START", Failure.RESTARTED, "DRIVE_SETUP"),
     ("CONFIGURE START", Failure.SILENT, "DRIVE_SETUP"),
     ("HOME CABLE_MODE", Failure.ABORT, "DRIVE_SETUP"),
     ("HOME BASE_MODE", Failure.DIFFERENT, "DRIVE_SETUP"),

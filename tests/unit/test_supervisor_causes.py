@@ -60,6 +60,8 @@ def jump(distance: float) -> Spoil:
 SYMPTOMS: dict[str, list[Spoil]] = {
     "REQUESTED": [loop(requests=STOP)],
     "STRANGER": [bus(stranger=17)],
+    "DRIVE_LOCAL": [drive(silent=2)],
+    "OTHER_MASTER": [bus(stranger=0x81), bus(stranger=0x80)],
     "DRIVE_SILENT": [drive(silent=1), drive(missed=3, fresh=0)],
     "DRIVE_LATE": [drive(late=3)],
     "DRIVE_FAULT": [
@@ -117,7 +119,7 @@ def applies(row: Row, moment: str) -> bool:
     """Whether a cause can be found at a moment."""
     if moment.split()[0] not in row.states or (row.cause, moment) in EXCEPTIONS:
         return False
-    judged = row.cause in {"DRIVE_SILENT", "DRIVE_LATE", "DRIVE_FAULT", "DRIVE_STATE"}
+    judged = row.cause.startswith("DRIVE_") and row.cause not in ELSEWHERE
     needs_messages = judged or row.cause == "ENCODER_JUMP"
     return not (needs_messages and moment in BEFORE_MESSAGES)
 
