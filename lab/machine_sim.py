@@ -55,6 +55,16 @@ class SimulatedMachine:
         self._at_power_on = self.world.lengths
         self._look()
 
+    @property
+    def time(self) -> float:
+        """Since power-on [s]."""
+        return self.world.time
+
+    def run_until(self, time: float) -> None:
+        """Let simulated time pass, in whole control cycles."""
+        while self.time + self.period < time + 1e-9:
+            self.advance()
+
     def begin_task(self, repeat: bool = False) -> None:
         """The hand begins to move, once through the task or over and over."""
         self._cue.begin(self.world.time, repeat)

@@ -70,8 +70,8 @@ class SimulatedBus:
         """Let this happen to the next `count` frames of a COB-ID."""
         self._disturbances.setdefault(cob, deque()).extend([disturbance] * count)
 
-    def send(self, frame: Frame) -> None:
-        """Put a frame on the bus, as its master."""
+    def send(self, frame: Frame, after: float = 0.0) -> None:
+        """Put a frame on the bus, as its master; `after` so many seconds, which none needs yet."""
         self._carry(frame, None)
         self._arbitrate()
 
