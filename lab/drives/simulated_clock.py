@@ -64,6 +64,8 @@ class Line:
 
     def send(self, frame: Frame) -> None:
         """Let a frame arrive at the program, where somebody is there to take it."""
+        if self.is_gone:
+            return
         message = can.Message(arbitration_id=frame.cob, data=frame.data, is_extended_id=False)
         try:
             self.port.send(message, timeout=0)
@@ -112,7 +114,9 @@ class SimulatedClock:
     def _await_program(self, is_over: Callable[[], bool]) -> socket.socket | None:
         while not is_over():
             self._read()
-            if is_readable(self._listener, POLL):
+            files = [line.port.fileno() for line in self._lines if not line.is_gone]
+            ready, _, _ = select.select([self._listener, *files], [], [], POLL)
+            if self._listener in ready:
                 self._begin()
                 return self._listener.accept()[0]
         return None
@@ -130,23 +134,22 @@ class SimulatedClock:
         if not is_readable(connection, POLL):
             self._read()  # commands: the program opens or closes its adapters
             return True
-        asked = connection.recv(self._moment.size + 1)
-        if len(asked) != self._moment.size:
-            self._read()
-            return False
+        try:
+            asked = connection.recv(self._moment.size + 1)
+            if len(asked) == self._moment.size:
+                connection.send(self._answer(connection, asked))
+                return True
+        except ConnectionError:  # it was killed
+            pass
+        self._read()  # its last frames
+        return False
+
+    def _answer(self, connection: socket.socket, asked: bytes) -> bytes:
         until, *sent = self._moment.unpack(asked)
         for line, count in zip(self._lines, sent, strict=True):
             self._await_frames(connection, line, count)
         self._let_time_pass(until)
-        return self._answer(connection)
-
-    def _answer(self, connection: socket.socket) -> bool:
-        try:
-            counts = [line.sent for line in self._lines]
-            connection.send(self._moment.pack(self._now, *counts))
-        except ConnectionError:
-            return False
-        return True
+        return self._moment.pack(self._now, *(line.sent for line in self._lines))
 
     def _await_frames(self, connection: socket.socket, line: Line, count: int) -> None:
         """Read until so many frames have come; a program that says more meanwhile has ended."""
