@@ -73,11 +73,15 @@ class Lines:
         with self.standstill():
             self.clock.unplug(bus)
 
-    def close(self) -> None:
-        """Take all lines away."""
+    def stop(self) -> None:
+        """End the simulation."""
         self._over.set()
         self._keeper.join()
         self.clock.close()
+
+    def close(self) -> None:
+        """End the simulation, and take all lines away."""
+        self.stop()
         for adapter in self.adapters:
             adapter.shutdown()
 
@@ -93,9 +97,9 @@ class Lines:
 
 
 @contextmanager
-def silent_lines() -> Iterator[Lines]:
+def silent_lines(simulation: Simulation | None = None) -> Iterator[Lines]:
     """Lines without drives, while the context lasts."""
-    lines = Lines()
+    lines = Lines(simulation)
     try:
         yield lines
     finally:

@@ -8,7 +8,7 @@ been sent to it meanwhile.
 import select
 import socket
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from struct import Struct
 from typing import Protocol
 
@@ -42,18 +42,26 @@ class Line:
 
     port: can.BusABC
     bus: SimulatedBus
+    waiting: list[Frame] = field(default_factory=list)
+    """Frames of the program that are not on the bus yet."""
     received: int = 0
     sent: int = 0
     is_gone: bool = False
     """The port has no other end any more."""
 
-    def receive(self) -> Frame | None:
-        """The next frame for the drives; None when there is none."""
+    def begin(self) -> None:
+        """Forget what was on its way before there was a program."""
+        self.receive()
+        self.bus.take()
+        self.waiting.clear()
+        self.received = self.sent = 0
+
+    def receive(self) -> None:
+        """Read what has come."""
         while (message := self._next()) is not None:
             self.received += 1
             if is_for_drives(message):
-                return Frame(message.arbitration_id, bytes(message.data))
-        return None
+                self.waiting.append(Frame(message.arbitration_id, bytes(message.data)))
 
     def _next(self) -> can.Message | None:
         try:
@@ -113,7 +121,7 @@ class SimulatedClock:
 
     def _await_program(self, is_over: Callable[[], bool]) -> socket.socket | None:
         while not is_over():
-            self._read()
+            self._receive()
             files = [line.port.fileno() for line in self._lines if not line.is_gone]
             ready, _, _ = select.select([self._listener, *files], [], [], POLL)
             if self._listener in ready:
@@ -122,17 +130,14 @@ class SimulatedClock:
         return None
 
     def _begin(self) -> None:
-        """What was on its way before the program was there is not counted."""
-        self._read()
         for line in self._lines:
-            line.bus.take()
-            line.received = line.sent = 0
+            line.begin()
         self._now = max(self._now, round(self._simulation.time / NANO))
 
     def _serve(self, connection: socket.socket) -> bool:
         """Answer once, if the program asks; whether it still runs."""
         if not is_readable(connection, POLL):
-            self._read()  # commands: the program opens or closes its adapters
+            self._receive()  # commands: the program opens or closes its adapters
             return True
         try:
             asked = connection.recv(self._moment.size + 1)
@@ -141,24 +146,26 @@ class SimulatedClock:
                 return True
         except ConnectionError:  # it was killed
             pass
-        self._read()  # its last frames
+        self._receive()  # its last frames
+        self._put_on_buses()
         return False
 
     def _answer(self, connection: socket.socket, asked: bytes) -> bytes:
         until, *sent = self._moment.unpack(asked)
         for line, count in zip(self._lines, sent, strict=True):
             self._await_frames(connection, line, count)
+        self._put_on_buses()
         self._let_time_pass(until)
         return self._moment.pack(self._now, *(line.sent for line in self._lines))
 
     def _await_frames(self, connection: socket.socket, line: Line, count: int) -> None:
         """Read until so many frames have come; a program that says more meanwhile has ended."""
-        self._read_line(line)
+        line.receive()
         while line.received < count and not line.is_gone:
             ready, _, _ = select.select([line.port.fileno(), connection.fileno()], [], [])
             if connection.fileno() in ready:
                 return
-            self._read_line(line)
+            line.receive()
 
     def _let_time_pass(self, until: int) -> None:
         if until > self._now:
@@ -168,13 +175,16 @@ class SimulatedClock:
             for frame in line.bus.take():
                 line.send(frame)
 
-    def _read(self) -> None:
+    def _receive(self) -> None:
         for line in self._lines:
-            self._read_line(line)
+            line.receive()
 
-    def _read_line(self, line: Line) -> None:
-        while (frame := line.receive()) is not None:
-            line.bus.send(frame, 0.0 if frame.cob == SYNC else self._compute_time)
+    def _put_on_buses(self) -> None:
+        """In the order of the buses, whichever frames came first."""
+        for line in self._lines:
+            for frame in line.waiting:
+                line.bus.send(frame, 0.0 if frame.cob == SYNC else self._compute_time)
+            line.waiting.clear()
 
 
 def is_readable(file: socket.socket, seconds: float) -> bool:

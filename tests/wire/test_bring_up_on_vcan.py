@@ -49,7 +49,6 @@ def story(stock_file: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
         [sys.executable, INSIDE, program, folder / "bench"],
         interfaces=INTERFACES,
         seconds=900,
-        own_time=True,
     )
     assert done.status == 0, done.output
     told: dict[str, Told] = json.loads(done.output.splitlines()[-1])

@@ -11,6 +11,8 @@
 #include "stop.h"
 #include "unix_socket.h"
 
+#define PATIENCE 600 /* s of the computer's time, until a simulation has answered */
+
 static tb_simulated_clock *simulated_of(tb_clock *clock)
 {
     return (tb_simulated_clock *)(void *)clock;
@@ -52,7 +54,7 @@ static void say_why(const tb_simulated_clock *clock)
                clock->path);
     } else if ((errno == EAGAIN) || (errno == EWOULDBLOCK)) {
         tb_say("--clock %s: the simulation has let no time pass for %d s", clock->path,
-               TB_SIMULATION_PATIENCE);
+               PATIENCE);
     } else if (errno != EINTR) { /* a person who has asked twice knows why */
         tb_say("--clock %s: %s", clock->path, strerror(errno));
     }
@@ -95,7 +97,7 @@ static void sleep_until(tb_clock *clock, int64_t time)
 bool tb_simulated_clock_open(tb_simulated_clock *clock, const char *path,
                              tb_can_port *const ports[TB_BUSES])
 {
-    struct timeval const patience = {.tv_sec = TB_SIMULATION_PATIENCE};
+    struct timeval const patience = {.tv_sec = PATIENCE};
     *clock = (tb_simulated_clock){.clock = {.now = now, .sleep_until = sleep_until}, .path = path};
     for (size_t i = 0; i < TB_BUSES; i++) {
         tb_awaited_port_start(&clock->awaited[i], ports[i]);

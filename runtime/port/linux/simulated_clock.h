@@ -12,7 +12,8 @@
  * for that many before they say that nothing has come. A cycle then begins when the frames of the
  * last one are through, whatever the computer does; computing takes no time.
  *
- * When the simulation ends, or is not heard for TB_SIMULATION_PATIENCE, the clock has stopped. */
+ * When the simulation ends, or is not heard for ten minutes of the computer's time, the clock has
+ * stopped. */
 #ifndef TB_SIMULATED_CLOCK_H
 #define TB_SIMULATED_CLOCK_H
 
@@ -22,8 +23,6 @@
 #include "awaited_port.h"
 #include "clock.h"
 #include "tb_drives.h"
-
-#define TB_SIMULATION_PATIENCE 600 /* s of the computer's time */
 
 /** What either side tells the other; native byte order, without gaps. */
 typedef struct {
