@@ -123,8 +123,8 @@ class SimulatedClock:
         while not is_over():
             self._receive()
             files = [line.port.fileno() for line in self._lines if not line.is_gone]
-            ready, _, _ = select.select([self._listener, *files], [], [], POLL)
-            if self._listener in ready:
+            ready, _, _ = select.select([self._listener.fileno(), *files], [], [], POLL)
+            if self._listener.fileno() in ready:
                 self._begin()
                 return self._listener.accept()[0]
         return None

@@ -68,8 +68,8 @@ def bench(double: Generated) -> Bench:
 
 
 class Witness(Application):
-    """Keeps a digest of all frames until a time; what a program sends at its end may be too late for
-    a computer that is busy."""
+    """Keeps a digest of all frames until a time; what a program sends at its end may come too late
+    on a busy computer."""
 
     def __init__(self, world: SimulatedMachine, path: Path) -> None:
         super().__init__(world, path)
@@ -227,7 +227,7 @@ def lines() -> Iterator[Lines]:
 
 def refused(program: Path, options: Sequence[str], status: int) -> str:
     """What a program says that ends by itself; it says one thing."""
-    command = [program, *options, f"--telemetry={shared_file()}"]
+    command: list[str | Path] = [program, *options, f"--telemetry={shared_file()}"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert (done.returncode, done.stderr.count("\n")) == (status, 1), done
     return done.stderr
@@ -260,15 +260,21 @@ def test_a_simulation_that_lets_no_time_pass_is_given_up(seeded: Seed, lines: Li
     assert "let no time pass for 1 s" in said
 
 
+class Promising(NoDrives):
+    """A simulation that tells of a frame that there is not."""
+
+    clock: SimulatedClock
+
+    def run_until(self, time: float) -> None:
+        """Let simulated time [s] pass."""
+        super().run_until(time)
+        self.clock._lines[1].sent += 1
+
+
 def test_frames_that_never_come_are_given_up_with_the_name_of_their_bus(seeded: Seed) -> None:
-    class Promising(NoDrives):
-        """A simulation that tells of a frame that there is not."""
-
-        def run_until(self, time: float) -> None:
-            super().run_until(time)
-            lines.clock._lines[1].sent += 1
-
     hurried = seeded("awaited_port.c", "MOST_NAPS 6000000u", "MOST_NAPS 20u")
-    with silent_lines(Promising()) as lines:
+    promising = Promising()
+    with silent_lines(promising) as lines:
+        promising.clock = lines.clock
         said = refused(hurried, lines.options, 1)
     assert "frames of the simulation on the bus cable2 did not come" in said
