@@ -29,8 +29,8 @@ PORTABLE_CAN = (CAN / "can.c", CAN / "loopback.c")
 FRAME = Struct("<BBH8s")
 ROOM = 256
 """Frames that one step of the master can send at most."""
-READY = 4
-"""TB_PHASE_READY."""
+READY, SWEEP = 4, 20
+"""TB_PHASE_READY, TB_PHASE_SWEEP."""
 
 Arrival = Callable[[Sequence[bytes]], None]
 Tap = Callable[[int, Frame], None]
@@ -164,7 +164,7 @@ class Lockstep:
         """Arm the machine once it is ready, and run until it works, `most` cycles at most; the
         state at the end. The hand moves the handle about where no base moves."""
         for _ in range(most):
-            if self.state is State.HOME and not self.machine.world.rails:
+            if self.view["phase"] == SWEEP:
                 self.machine.wander()
             self.requests = Request.ARM if self._is_ready and self.cycles % 2 else Request(0)
             self.cycle()

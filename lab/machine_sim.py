@@ -87,7 +87,9 @@ class SimulatedMachine:
         return self.world
 
     def wander(self) -> None:
-        """The hand begins to move the handle about."""
+        """The hand begins to move the handle about, where no base does."""
+        if self.world.rails:
+            return
         if isinstance(self.world, LedPlatform):
             self.world.lead()
         elif self._cue is not None:

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 6f51965d11c1f7fa, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 04f8a1c042ccc9ad, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_DRIVES_H
 #define TB_DRIVES_H
 
@@ -39,7 +39,7 @@
 #define TB_RAIL_TORQUE_STEP TB_C(0.0) /* N m, largest change of a torque in one cycle */
 
 /* Calibration of the cables' zeros */
-#define TB_CALIBRATION_SAMPLES 24 /* poses that are measured */
+#define TB_CALIBRATION_SAMPLES 48 /* poses that are measured */
 #define TB_CALIBRATION_CYCLES 100 /* cycles between two of them */
 #define TB_CALIBRATION_TRAVEL TB_C(0.1) /* m, a fifth of it makes another pose */
 

@@ -81,6 +81,8 @@ def bench_of(machine: Machine) -> Bench:
     from codegen.bind import load
     from lab.demo import plan_task, plant_of
 
+    if machine.plant is None and not machine.rails:
+        return Bench(machine, None, None)
     plant = plant_of(machine)
     return Bench(machine, plant, plan_task(load(machine.path)))
 

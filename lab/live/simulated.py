@@ -21,6 +21,7 @@ from lab.drives.slcan_adapter import SlcanAdapter
 from lab.live import LiveError
 from lab.live.telemetry import Telemetry, running
 from lab.live.words import STATES
+from lab.lockstep import SWEEP
 from lab.machine_sim import SimulatedMachine
 from lab.task import Task
 from model.machine import Machine, Plant
@@ -37,8 +38,9 @@ class Bench(NamedTuple):
     """What is simulated."""
 
     machine: Machine
-    plant: Plant
-    task: Task
+    plant: Plant | None
+    task: Task | None
+    """Without plant and task a hand holds the platform fast and leads it."""
     rails: Sequence[float] | None = None
     """Where the bases were left [m] (m); None for anywhere."""
 
@@ -170,8 +172,9 @@ class Application:
         """Find the program; begin the task when it runs the machine."""
         if self._telemetry is None:
             self._telemetry = running(self._path)
-        elif not self._begun:
-            cycle = self._telemetry.latest()
-            if cycle is not None and cycle["state"] == RUNNING:
+        elif not self._begun and (cycle := self._telemetry.latest()) is not None:
+            if cycle["phase"] == SWEEP:
+                self._world.wander()
+            if cycle["state"] == RUNNING:
                 self._world.begin_task()
                 self._begun = True

@@ -101,20 +101,26 @@ static tb_blame swing(tb_supervisor *supervisor)
     return tb_no_blame();
 }
 
-/* Far enough from the last sample: another pose. */
+/* Whether some cable was wound in to another length when a pose was measured. */
+static bool is_other_pose(const tb_supervisor *supervisor, size_t measured)
+{
+    const real_t *const then = &supervisor->calibration.wound[measured * (size_t)TB_CABLES];
+    bool other = false;
+    for (size_t i = 0; i < TB_CABLES; i++) {
+        real_t const moved = tb_measured_position(&supervisor->measurement, i) - then[i];
+        other = other || (TB_ABS(moved) > DIFFERENT_POSE);
+    }
+    return other;
+}
+
+/* Unlike every pose that was measured: poses one after the other along one way tell less. */
 static bool is_time_for_sample(const tb_supervisor *supervisor)
 {
-    if (supervisor->calibration.count == 0) {
-        return true;
+    bool other = true;
+    for (size_t k = 0; k < supervisor->calibration.count; k++) {
+        other = other && is_other_pose(supervisor, k);
     }
-    size_t const last = (supervisor->calibration.count - 1) * (size_t)TB_CABLES;
-    bool different = false;
-    for (size_t i = 0; i < TB_CABLES; i++) {
-        real_t const wound = tb_measured_position(&supervisor->measurement, i);
-        real_t const moved = wound - supervisor->calibration.wound[last + i];
-        different = different || (TB_ABS(moved) > DIFFERENT_POSE);
-    }
-    return different;
+    return other;
 }
 
 #endif

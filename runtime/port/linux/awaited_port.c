@@ -11,11 +11,18 @@ static tb_awaited_port *awaited_of(tb_can_port *port)
     return (tb_awaited_port *)(void *)port;
 }
 
+/* Whoever reads what a port counts reads it here, and means the driver's. */
+static void keep_statistics(tb_awaited_port *awaited)
+{
+    awaited->port.statistics = awaited->line->statistics;
+}
+
 static tb_can_result send_frame(tb_can_port *port, const tb_can_frame *frame)
 {
     tb_awaited_port *const awaited = awaited_of(port);
     tb_can_result const result = tb_can_send(awaited->line, frame);
     awaited->sent += (result == TB_CAN_OK) ? 1u : 0u;
+    keep_statistics(awaited);
     return result;
 }
 
@@ -44,6 +51,7 @@ static tb_can_result receive_frame(tb_can_port *port, tb_can_frame *frame)
     } else {
         awaited->received = awaited->promised; /* what a device had that has gone, has gone too */
     }
+    keep_statistics(awaited);
     return result;
 }
 

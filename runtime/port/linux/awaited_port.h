@@ -12,7 +12,7 @@
 
 /** The port, and what it knows of the frames on their way. */
 typedef struct {
-    tb_can_port port;  /* first; its statistics are not kept: the driver's are */
+    tb_can_port port;  /* first; its statistics are the driver's */
     tb_can_port *line; /* the driver's */
     uint64_t sent;
     uint64_t received;
