@@ -212,7 +212,7 @@ FAULTS: dict[str, tuple[int, Variation, set[str]]] = {
     "base without torque": (
         BASE,
         Variation(torque=TorqueFault.NOT_GIVEN, torque_hidden=True),
-        {"BASE_BLOCKED", "WRONG_WAY"},
+        {"BASE_BLOCKED", "WRONG_WAY", "BASE_LOST"},
     ),
     "cable backwards": (
         CABLE,
