@@ -46,6 +46,7 @@ class Encoder:
         self._rate = 0.0
         self._from = self._counted = 0.0
         self._scale = 1.0
+        self._slip = 0
 
     def turn(self, angle: float, seconds: float) -> None:
         """The motor is at an angle [rad], so long after it was last looked at."""
@@ -55,6 +56,8 @@ class Encoder:
         self._rate, self._angle = (angle - self._angle) / seconds, angle
         self.count = self._turned
         rate = (self._turned - before) / (self.per_radian * seconds)
+        if self._turned != before:
+            self._counted += self._slip
         share = SPEED_CORNER * seconds
         self.speed += share / (1.0 + share) * (rate - self.speed)
 
@@ -66,6 +69,10 @@ class Encoder:
     def jump(self, increments: int) -> None:
         """Fault: so many increments that the motor did not turn."""
         self._counted += increments
+
+    def slip(self, increments: int) -> None:
+        """Fault: from here on it jumps by so many increments in every cycle in which it counts."""
+        self._slip = increments
 
     def distort(self, scale: float) -> None:
         """Fault: from here on it counts so many times what it should: 0 frozen, -1 backwards."""

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import IntEnum
 from pathlib import Path
+
+from supervised import Phase
 
 from codegen.bind import Generated
 from lab.bus_tap import SetpointWatch
@@ -20,20 +21,6 @@ FORCE = (2.0, -3.0)
 """What the application wants in RUN [N]."""
 LONGEST = 10_000
 """Cycles from a moment to the next, at most."""
-
-
-class Phase(IntEnum):
-    """tb_phase."""
-
-    NONE = 0
-    CONTRACT = 1
-    READY = 4
-    TIGHTEN = 7
-    BASE_HOMING = 10
-    SWEEP = 15
-    APPROACH = 17
-    RELAX = 19
-    SLACKEN = 20
 
 
 @dataclass
@@ -112,6 +99,7 @@ MOMENTS = (
     Moment(State.CONFIGURE, Phase.CONTRACT, 100),
     Moment(State.CONFIGURE, Phase.READY, 20),
     Moment(State.HOME, Phase.TIGHTEN, 60, arm),
+    Moment(State.HOME, Phase.TRY_BASES, 10),
     Moment(State.HOME, Phase.BASE_HOMING, 100),
     Moment(State.HOME, Phase.SWEEP, 500),
     Moment(State.TENSION, Phase.APPROACH, 50),
@@ -122,15 +110,15 @@ MOMENTS = (
 )
 """In the order in which one machine goes through them."""
 NAMES = tuple(each.name for each in MOMENTS)
-ALSO_IN_ITS_STATE = ("CONFIGURE CONTRACT", "HOME TIGHTEN", "HOME SWEEP")
+ALSO_IN_ITS_STATE = ("CONFIGURE CONTRACT", "HOME TIGHTEN", "HOME TRY_BASES", "HOME SWEEP")
 """Moments beside another one of the same state."""
 BEFORE_SERVICE = NAMES[:3]
 """The drives are being set up."""
-SERVICE = NAMES[3:10]
+SERVICE = NAMES[3:11]
 """The drives answer SYNC, and the supervisor looks for what is wrong with them."""
-POWERED = NAMES[4:10]
+POWERED = NAMES[4:11]
 """The cable drives are switched on."""
-GUIDED = NAMES[6:10]
+GUIDED = NAMES[7:11]
 """The bases are homed and led."""
 
 

@@ -26,7 +26,7 @@ COMMITTED = DOCUMENT.with_name("fault-campaign.md")
 def tried(bench: Bench, fault: Fault, moment: Moment) -> Outcome:
     """What a fault leads to at a moment, in a fork."""
     wanted = expected(fault, moment)
-    return in_a_fork(lambda: Trial(bench, fault).run(wanted.horizon, wanted.until_ready))
+    return in_a_fork(lambda: Trial(bench, (0, fault)).run(wanted.horizon, wanted.until_ready))
 
 
 @pytest.mark.parametrize("moment", TRIED, ids=lambda moment: moment.name)
@@ -85,7 +85,7 @@ RUN = MOMENTS[NAMES.index("RUN")]
 def reset(bench: Bench, fault: Fault, armed: bool) -> State:
     """The state after a fault, a reset and, if asked for, a request to arm."""
     wanted, lockstep = expected(fault, RUN), bench.lockstep
-    outcome = Trial(bench, fault).run(wanted.horizon, wanted.until_ready)
+    outcome = Trial(bench, (0, fault)).run(wanted.horizon, wanted.until_ready)
     if outcome.reacted is None:  # a warning
         return State.CONFIGURE
     lockstep.requests = Request.RESET

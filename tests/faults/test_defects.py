@@ -155,7 +155,7 @@ def found(bench: Bench, library: ctypes.CDLL, number: int, defect: Defect) -> li
     wanted = expected(fault, moment)
     bench.lockstep.exchange_runtime(library)
     ctypes.c_int.in_dll(library, "seeded").value = number
-    return complaints(wanted, Trial(bench, fault).run(wanted.horizon, wanted.until_ready))
+    return complaints(wanted, Trial(bench, (0, fault)).run(wanted.horizon, wanted.until_ready))
 
 
 IN_ORDER: list[tuple[int, Defect]] = sorted(
