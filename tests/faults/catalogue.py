@@ -82,7 +82,9 @@ class Fault:
     powerless: bool = False
     """A drive has no torque from the strike on."""
     strong: bool = False
-    """Cables are pulled by something else than the controller."""
+    """Cables are pulled, or bases led, by something else than the controller."""
+    brakes: bool = False
+    """A drive may take its order for another one, and brake before it switches off."""
 
 
 @dataclass(frozen=True)
@@ -158,6 +160,10 @@ UNTRUE = (*OPENED, UNSOLVED)
 UNPULLED = (*OPENED, UNSOLVED)
 """A cable is not pulled: as if it were longer, when the platform gives way to the others."""
 PUSHED = tuple(Sign(cause, str(LED), (SWEEP, *AT_WORK)) for cause in ("BASE_BLOCKED", "WRONG_WAY"))
+DEAF_BASE = tuple(
+    Sign(cause, str(SWEPT), (SWEEP, RUN)) for cause in ("DRIVE_DEAF", "BASE_BLOCKED", "WRONG_WAY")
+)
+"""It goes on as it was last told, which is not as it is told then."""
 REVERSED = (
     Sign("WRONG_WAY", "100", (TRY_BASES, SWEEP, *AT_WORK)),
     Sign("BASE_RUNAWAY", "1000", (HOMING,)),
@@ -274,7 +280,7 @@ def motors(target: Target) -> Iterator[Fault]:
 
     nothing, reversed_ = (PUSHED, REVERSED) if target is BASE else (UNPULLED, UNPULLED)
     fault = target.fault
-    yield fault("motor gives no torque", nothing, give(0.0), powerless=True)
+    yield fault("motor gives no torque", nothing, give(0.0), powerless=True, strong=True)
     yield fault("motor gives twice its torque", (), give(2.0), strong=True)
     yield fault("motor gives its torque reversed", reversed_, give(-1.0), strong=True)
 
@@ -320,9 +326,10 @@ def setpoints(target: Target) -> Iterator[Fault]:
     off = (Sign("DRIVE_STATE", "4 * divider", target.powered),)
     deaf = (
         Sign("DRIVE_DEAF", str(MOVED), (RUN, SOFT_STOP)),
-        *([Sign("DRIVE_DEAF", str(SWEPT), (SWEEP,))] if target is BASE else []),
+        *(DEAF_BASE if target is BASE else ()),
         Sign("DRIVE_STUCK", "TB_STOP_CYCLES + TB_HEARTBEAT_TIMEOUT", (SOFT_STOP,)),
     )
+    misled = {"powerless": True, "brakes": True}
     hit = partial(target.disturb, RPDO)
     fault = target.fault
 
@@ -338,7 +345,7 @@ def setpoints(target: Target) -> Iterator[Fault]:
     yield fault("setpoint a cycle late always", (), hit(LATE, ALWAYS))
     yield fault("setpoint too short once", refused, hit(SHORT, 1), powerless=True)
     yield fault("setpoint too short always", (*refused, stands), hit(SHORT, ALWAYS), powerless=True)
-    yield fault("setpoint switches it off once", off, hit(flip("0200"), 1), powerless=True)
+    yield fault("setpoint switches it off once", off, hit(flip("0200"), 1), **misled)
     yield fault("setpoint with its torque flipped once", (), hit(flip("0000 0040"), 1), strong=True)
 
 

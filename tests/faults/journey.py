@@ -9,8 +9,9 @@ from supervised import Phase
 from codegen.bind import Generated
 from lab.bus_tap import SetpointWatch
 from lab.demo import plan_task, plant_of
+from lab.drives.wire import Conditions
 from lab.lockstep import Lockstep, Request, State
-from lab.machine_sim import SimulatedMachine
+from lab.machine_sim import ORDINARY, SimulatedMachine
 from model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
@@ -42,10 +43,10 @@ class Bench:
         return int(self.lockstep.view["phase"])
 
 
-def power_on(generated: Generated) -> Bench:
+def power_on(generated: Generated, conditions: Conditions) -> Bench:
     """The stock machine when its supply has just come."""
-    machine = generated.machine
-    simulated = SimulatedMachine(machine, plant_of(machine), plan_task(generated), NEAR_THEIR_STOPS)
+    machine, task = generated.machine, plan_task(generated)
+    simulated = SimulatedMachine(machine, plant_of(machine), task, NEAR_THEIR_STOPS, conditions)
     bench = Bench(machine, Lockstep(generated, simulated), SetpointWatch(machine))
     bench.lockstep.taps.append(bench.watch)
     return bench
@@ -126,16 +127,16 @@ class Journey:
     """A machine that is brought to one moment after the other; back to an earlier one with a new
     machine."""
 
-    def __init__(self, generated: Generated) -> None:
-        self._generated = generated
+    def __init__(self, generated: Generated, conditions: Conditions = ORDINARY) -> None:
+        self._generated, self._conditions = generated, conditions
         self._next = 0
-        self._bench = power_on(generated)
+        self._bench = power_on(generated, conditions)
 
     def at(self, moment: Moment) -> Bench:
         """The machine at a moment: for forks only, so that it stays there."""
         number = MOMENTS.index(moment)
         if number + 1 < self._next:
-            self._next, self._bench = 0, power_on(self._generated)
+            self._next, self._bench = 0, power_on(self._generated, self._conditions)
         while self._next <= number:
             reach(self._bench, MOMENTS[self._next])
             self._next += 1

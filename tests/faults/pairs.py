@@ -59,6 +59,11 @@ class Pair:
         return self.between + WATCHED + 1
 
     @property
+    def is_foreign(self) -> bool:
+        """Whether something else than the controller pulls or leads."""
+        return self.first.strong or self.second.strong
+
+    @property
     def is_asked(self) -> bool:
         """Whether a machine that goes on is asked to stop in the end."""
         return self.seed % ASKED_OF == 0

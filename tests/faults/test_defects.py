@@ -115,6 +115,48 @@ DEFECTS = (
         "RUN",
     ),
     Defect(
+        "no carriage that goes the wrong way is told",
+        "core/carriage.c",
+        "(gained < -GAINED)",
+        "(gained < -GAINED) && !SEEDED",
+        "base_2: encoder reversed",
+        "HOME SWEEP",
+    ),
+    Defect(
+        "no carriage that stands is told",
+        "core/carriage.c",
+        "carriage->cycles > TB_BLOCKED_CYCLES",
+        "!SEEDED && (carriage->cycles > TB_BLOCKED_CYCLES)",
+        "base_2: motor gives no torque",
+        "HOME SWEEP",
+    ),
+    Defect(
+        "the speed limit of rails is ignored",
+        "core/faults.c",
+        "(speed > TB_RAIL_SPEED_LIMIT)",
+        "(!SEEDED && (speed > TB_RAIL_SPEED_LIMIT))",
+        "base_2: encoder reversed",
+        "HOME BASE_HOMING",
+    ),
+    Defect(
+        "speeds are lost when a homing sets another zero",
+        "core/supervisor.c",
+        "supervisor->guide.guided[i - TB_CABLES] == 0",
+        "!SEEDED && (supervisor->guide.guided[i - TB_CABLES] == 0)",
+        "base_2: motor gives its torque reversed",
+        "HOME BASE_HOMING",
+    ),
+    Defect(
+        "a soft stop keeps the bases' forces",
+        "core/stopping.c",
+        "real_t const done = share_done(supervisor);",
+        "real_t const done = share_done(supervisor);"
+        " for (size_t k = TB_CABLES; SEEDED && (k < TB_DRIVES); k++) {"
+        " supervisor->drives[k].wanted.torque = supervisor->drives[k].sent; }",
+        "cable_2: motor gives its torque reversed",
+        "RUN",
+    ),
+    Defect(
         "what drives are is not compared",
         "canopen/setup.c",
         "(found == object->value)",

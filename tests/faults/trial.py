@@ -174,7 +174,8 @@ class Trial:
         self._follow_carriages(world.rails)
 
     def _follow_carriages(self, rails: list[float]) -> None:
-        outcome, led = self.outcome, self._lockstep.view["led"]
+        outcome = self.outcome
+        led = [float(place) for place in self._lockstep.view["led"]]
         period = self._machine.period
         outcome.carriage = max(outcome.carriage, farthest(rails, self._rails) / period)
         self._rails = rails

@@ -1,11 +1,12 @@
 """What docs/safety.md and the machine file promise for a fault at a moment; what of it failed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
 
 from catalogue import ALWAYS, HEARTBEAT_LOST, Fault, Sign
 from journey import BEFORE_SERVICE, Moment
-from safety_table import DOCUMENT, Row, constants, rows
+from safety_table import DOCUMENT, Row, bounds, constants, rows
 from trial import TRANSPORT, Outcome
 
 from lab.lockstep import State
@@ -24,14 +25,7 @@ DRIVES_ON_BUS = 6
 """Cycles until it is a drive's turn to be asked by SDO, and to answer, at most."""
 SLOWEST_BUS = 2
 """Largest divider of the stock machine's buses."""
-TENSION_MAX = 10.0
-MARGIN = 1.0
-"""Tension [N] beyond tension.max that inertia and friction of motors may add."""
-STRONG = 30.0
-"""Tension [N] where something else than the controller pulls."""
-ASTRAY = 0.05
-"""Largest distance [m] of the handle from where the hand wants it: a hand of 300 N/m holds it there
-against 15 N."""
+BOUNDS = bounds(NUMBERS)
 
 
 @dataclass(frozen=True)
@@ -163,7 +157,7 @@ def stop_cycles(wanted: Expected, outcome: Outcome) -> int:
 
 
 def physics(wanted: Expected, outcome: Outcome) -> list[str]:
-    """Cables pull together or not at all, and not too hard; the handle is not thrown."""
+    """Cables pull together or not at all, and not too hard; handle and carriages are not thrown."""
     fault, found = wanted.fault, []
     reacted = outcome.reacted or 0
     alone = reacted + HARD + TRANSPORT + (HEARTBEAT_LOST if fault.deaf else 0)
@@ -172,9 +166,20 @@ def physics(wanted: Expected, outcome: Outcome) -> list[str]:
         found.append(f"a cable is pulled alone for {outcome.alone} cycles, not {alone}")
     if outcome.behind > BEHIND and not fault.deaf:
         found.append(f"a cable is {1e3 * outcome.behind:.1f} mN m behind the ramps of the stop")
-    highest = STRONG if fault.strong else TENSION_MAX + MARGIN
-    if outcome.highest > highest:
-        found.append(f"{outcome.highest:.1f} N in a cable")
-    if outcome.astray > ASTRAY:
-        found.append(f"the handle is {1e3 * outcome.astray:.0f} mm astray")
-    return found
+    return found + motion(outcome, (fault,))
+
+
+def motion(outcome: Outcome, faults: Sequence[Fault]) -> list[str]:
+    """What pulls and moves, by the document's bounds."""
+    foreign = "_FOREIGN" if any(fault.strong for fault in faults) else ""
+    led = "_FOREIGN" if any(fault.strong or fault.deaf for fault in faults) else ""
+    judged = [
+        (outcome.highest, f"TENSION{foreign}", "N in a cable"),
+        (outcome.astray, "HANDLE", "m from the hand's goal to the handle"),
+        (outcome.handle, "HANDLE_SPEED", "m/s of the handle"),
+        (outcome.carriage, f"CARRIAGE_SPEED{led}", "m/s of a carriage"),
+        (outcome.rolled, f"ROLLED{led}", "m that a carriage went on in a stop"),
+    ]
+    if not any(fault.stands_still for fault in faults):
+        judged.append((outcome.off_track, f"OFF_TRACK{led}", "m off a carriage's track"))
+    return [f"{value:.3g} {what}" for value, name, what in judged if value > BOUNDS[name]]
