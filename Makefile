@@ -99,7 +99,7 @@ soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice
 campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
 	EVERY_MOMENT=1 $(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py \
-	  tests/faults/test_pairs.py -k "not committed"
+	  tests/faults/test_pairs.py tests/faults/test_power_on.py -k "not committed"
 	cp build/fault_campaign.md docs/fault-campaign.md
 
 figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures

@@ -52,12 +52,12 @@ class Encoder:
         """The motor is at an angle [rad], so long after it was last looked at."""
         if self._angle is None:
             self._angle = self._from = angle
+        if self._slip and self._true_count(angle) != self._true_count(self._angle):
+            self._counted += self._slip
         before, self._turned = self._turned, self._count_at(angle)
         self._rate, self._angle = (angle - self._angle) / seconds, angle
         self.count = self._turned
         rate = (self._turned - before) / (self.per_radian * seconds)
-        if self._turned != before:
-            self._counted += self._slip
         share = SPEED_CORNER * seconds
         self.speed += share / (1.0 + share) * (rate - self.speed)
 
@@ -71,7 +71,7 @@ class Encoder:
         self._counted += increments
 
     def slip(self, increments: int) -> None:
-        """Fault: from here on it jumps by so many increments in every cycle in which it counts."""
+        """Fault: from here on it jumps by so many increments in every cycle in which it turns."""
         self._slip = increments
 
     def distort(self, scale: float) -> None:
@@ -80,6 +80,9 @@ class Encoder:
             self._counted += (self._angle - self._from) * self.per_radian * self._scale
             self._from = self._angle
         self._scale = scale
+
+    def _true_count(self, angle: float) -> int:
+        return floor(angle * self.per_radian)
 
     def _count_at(self, angle: float) -> int:
         return floor((angle - self._from) * self.per_radian * self._scale + self._counted)

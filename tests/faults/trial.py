@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 from math import dist, hypot, isnan
 
 from catalogue import Fault
-from journey import Bench, Phase
+from journey import Bench
+from supervised import Phase
 
 from lab.drives.power import MOVING
 from lab.lockstep import Lockstep, Request, State

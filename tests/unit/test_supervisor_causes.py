@@ -398,6 +398,19 @@ def test_a_base_that_runs_away_in_its_homing_is_stopped_whatever_zero_it_counts_
     assert speed[0] < NUMBERS["TB_RAIL_SPEED_LIMIT"] + 0.3
 
 
+@pytest.mark.parametrize("position", [np.nan, np.inf, 1e7])
+def test_a_base_that_is_nowhere_is_told_although_it_may_count_from_any_zero(
+    moments: tuple[Machine, Moments], position: float
+) -> None:
+    machine, saved = moments
+    machine.restore(saved["HOME TIGHTEN"])
+
+    def lose(seen: Observation) -> None:
+        seen.drives[CABLES + 1].position = position
+
+    assert ended(machine, lose, 3) == ("HARD_STOP", "ENCODER_JUMP", CABLES + 1)
+
+
 def test_bases_are_pushed_no_more_in_a_soft_stop(moments: tuple[Machine, Moments]) -> None:
     machine, saved = moments
     machine.restore(saved["HOME SWEEP"])
