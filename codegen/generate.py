@@ -37,6 +37,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 BUS_TABLES: dict[str, Any] = {
     "buses": True,
     "drives": True,
+    "nodes": True,
     "supervision": True,
     "calibration": True,
     "cable_motor": {"rating"},
@@ -110,9 +111,11 @@ def machine_hash(model: Model) -> str:
 def canonical(machine: Machine) -> str:
     """The machine's numbers as text; comments and spelling of units do not count.
 
-    Without buses the tables about them say nothing about the C, and do not count either.
+    Without buses the tables about them say nothing about the C, and do not count either; nor does a
+    list of other nodes that is empty.
     """
-    left_out = None if machine.buses else BUS_TABLES
+    without_nodes: dict[str, Any] = {} if machine.nodes else {"nodes": True}
+    left_out = without_nodes if machine.buses else BUS_TABLES
     content = machine.model_dump(mode="json", by_alias=True, exclude=left_out)
     return json.dumps(content, sort_keys=True)
 

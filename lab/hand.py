@@ -73,25 +73,38 @@ class Path:
 
 
 class Cue:
-    """A path that is not followed before its cue: until then the hand stays at its start."""
+    """A path that is not followed before its cue: until then the hand stays at its start, or
+    wanders from there and back."""
 
-    def __init__(self, path: Path) -> None:
-        self._path = path
+    def __init__(self, path: Path, round_trip: Path | None = None) -> None:
+        """round_trip: where the hand wanders."""
+        self._path, self._round_trip = path, round_trip or path
         self._begun: float | None = None
+        self._wandered: float | None = None
         self._repeats = False
 
+    def wander(self, time: float) -> None:
+        """From `time` [s] on the hand wanders, over and over."""
+        if self._wandered is None:
+            self._wandered = time
+
     def begin(self, time: float, repeat: bool = False) -> None:
-        """The cue, at `time` [s], for once or over and over; a second one changes nothing."""
+        """The cue, at `time` [s], for once or over and over; a second one changes nothing. A hand
+        that wanders comes back first."""
         if self._begun is None:
-            self._begun, self._repeats = time, repeat
+            away = 0.0 if self._wandered is None else -(time - self._wandered)
+            self._begun, self._repeats = time + away % self._round_trip.end, repeat
 
     def elapsed(self, time: float) -> float:
         """Time on the path [s]; 0 before the cue."""
-        since = 0.0 if self._begun is None else time - self._begun
+        since = 0.0 if self._begun is None else max(0.0, time - self._begun)
         return since % self._path.end if self._repeats else since
 
     def at(self, time: float) -> tuple[Pair, Pair, Pair]:
         """Position [m], velocity [m/s] and acceleration [m/s^2] that the hand wants."""
+        waits = self._begun is None or time < self._begun
+        if waits and self._wandered is not None:
+            return self._round_trip.at((time - self._wandered) % self._round_trip.end)
         return self._path.at(self.elapsed(time))
 
 

@@ -1,9 +1,9 @@
 """The compiled runtime and a simulated machine, cycle by cycle, in simulated time.
 
 A cycle is that of the control loop: SYNC at its begin; a compute phase later the master reads what
-has arrived by then, and its setpoints leave a compute time after that. Frames take their time on the
-wire. Nothing depends on a clock: two runs give the same frames. A Lockstep can be copied at any cycle
-by os.fork().
+has arrived by then, and its setpoints leave a compute time after that. Frames take their time on
+the wire. Nothing depends on a clock: two runs give the same frames. A Lockstep can be copied at any
+cycle by os.fork().
 """
 
 import ctypes
@@ -32,6 +32,7 @@ ROOM = 256
 READY = 4
 """TB_PHASE_READY."""
 
+Arrival = Callable[[Sequence[bytes]], None]
 Tap = Callable[[int, Frame], None]
 """Takes the number of a bus and a frame."""
 
@@ -90,6 +91,9 @@ class Lockstep:
         self.hand_force_fresh = True
         self.taps: list[Tap] = []
         """Told of every frame the master sends, before anything can happen to it."""
+        self.arrivals: list[Arrival] = []
+        """Told of the packed frames that reach the master's ports, twice a cycle: when it reads the
+        answers, and at the end."""
         self.lost = 0
         """Frames of the drives that the master's ports did not take."""
         self.missed = 0
@@ -158,8 +162,10 @@ class Lockstep:
 
     def bring_up(self, most: int) -> State:
         """Arm the machine once it is ready, and run until it works, `most` cycles at most; the
-        state at the end."""
+        state at the end. The hand moves the handle about where no base moves."""
         for _ in range(most):
+            if self.state is State.HOME and not self.machine.world.rails:
+                self.machine.wander()
             self.requests = Request.ARM if self._is_ready and self.cycles % 2 else Request(0)
             self.cycle()
             if self.state in (State.RUN, State.FAULT):
@@ -202,6 +208,8 @@ class Lockstep:
             for number, bus in enumerate(self.machine.buses)
             for cob, data in bus.take()
         ]
+        for arrival in self.arrivals:
+            arrival(packed)
         if packed:
             taken = self._library.shim_give(self._memory, b"".join(packed), len(packed))
             self.lost += len(packed) - taken

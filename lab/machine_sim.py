@@ -13,6 +13,7 @@ from lab.drives.drive import Drive
 from lab.drives.setup import Identity, Ratings, Setup
 from lab.drives.wire import Conditions, wires
 from lab.hand import Cue, Hand
+from lab.led_platform import LedPlatform
 from lab.plant import PlanarPlant
 from lab.strand import Pair
 from lab.task import Task
@@ -31,14 +32,16 @@ ROUNDING = 1e-9
 class SimulatedMachine:
     """Drives, buses and plant of a machine; everything in simulated time.
 
-    The hand holds the handle where the task begins, and follows the task from `begin_task` on.
+    The hand holds the handle where the task begins, and follows the task from `begin_task` on. It
+    moves the handle about from `wander` on, as the calibration of fixed bases asks. Without a plant
+    and a task the hand holds the platform fast, and leads it about from `wander` on.
     """
 
     def __init__(
         self,
         machine: Machine,
-        plant: Plant,
-        task: Task,
+        plant: Plant | None,
+        task: Task | None,
         rails: Sequence[float] | None = None,
         conditions: Conditions = ORDINARY,
     ) -> None:
@@ -52,10 +55,9 @@ class SimulatedMachine:
             )
         self.task = task
         self.period = 1.0 / machine.control.rate
-        self._cue = Cue(task.path)
-        start = task.path.at(0.0)[0]
-        at = anywhere(machine) if rails is None else rails
-        self.world = PlanarPlant(machine, plant, Hand(plant, self._cue), start, at)
+        self._dof = machine.dof
+        self._cue: Cue | None = None
+        self.world = self._make_world(machine, plant, anywhere(machine) if rails is None else rails)
         self._cables = len(machine.cables)
         self._pinion = machine.rail_drive.pinion_radius if machine.rail_drive else 1.0
         self._radians = [axis.sense / axis.radius for axis in self._axes]
@@ -69,18 +71,44 @@ class SimulatedMachine:
         self._at_power_on = self.world.lengths
         self._look()
 
-    def begin_task(self, repeat: bool = False) -> None:
-        """The hand begins to move, once through the task or over and over."""
-        self._cue.begin(self.world.time, repeat)
+    def _make_world(
+        self, machine: Machine, plant: Plant | None, rails: Sequence[float]
+    ) -> PlanarPlant | LedPlatform:
+        if plant is None or self.task is None:
+            return LedPlatform(machine)
+        self._cue = Cue(self.task.path, self.task.round_trip)
+        start = self.task.path.at(0.0)[0]
+        return PlanarPlant(machine, plant, Hand(plant, self._cue), start, rails)
 
     @property
-    def task_force(self) -> Pair:
-        """Force [N] that the application wants now."""
+    def plant(self) -> PlanarPlant:
+        """The physics of a machine that has a plant."""
+        assert isinstance(self.world, PlanarPlant)
+        return self.world
+
+    def wander(self) -> None:
+        """The hand begins to move the handle about."""
+        if isinstance(self.world, LedPlatform):
+            self.world.lead()
+        elif self._cue is not None:
+            self._cue.wander(self.world.time)
+
+    def begin_task(self, repeat: bool = False) -> None:
+        """The hand begins to move, once through the task or over and over."""
+        if self._cue is not None:
+            self._cue.begin(self.world.time, repeat)
+
+    @property
+    def task_force(self) -> tuple[float, ...]:
+        """Force (d) [N, N m] that the application wants now."""
+        if self.task is None or self._cue is None:
+            return (0.0,) * self._dof
         return self.task.force(self._cue.elapsed(self.world.time))
 
     @property
     def hand_goal(self) -> Pair:
-        """Where the hand wants the handle now [m]."""
+        """Where the hand wants the handle of a planar machine now [m]."""
+        assert self._cue is not None
         return self._cue.at(self.world.time)[0]
 
     @property
@@ -143,8 +171,9 @@ class SimulatedMachine:
         for drive, turns, position in zip(self.drives, self._radians, self.positions, strict=True):
             drive.turn(position * turns, self.period)
 
-    def _mount(self, axis: Axis, machine: Machine, plant: Plant) -> Drive:
-        mass = plant.handle_mass if axis.rail is None else plant.carriage_mass or 0.0
+    def _mount(self, axis: Axis, machine: Machine, plant: Plant | None) -> Drive:
+        handle, carriage = (plant.handle_mass, plant.carriage_mass) if plant else (0.0, 0.0)
+        mass = handle if axis.rail is None else carriage or 0.0
         rotor = machine.cable_motor.inertia if axis.rail is None else 0.0
         inertia = rotor + mass * axis.radius**2
         return self.buses[axis.bus].add(setup(axis, inertia))

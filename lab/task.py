@@ -28,6 +28,9 @@ SHORTEST = 0.5
 """A movement takes at least so long [s]."""
 TURN = 2.0
 """Time in which the application's force turns once around [s]."""
+CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+WANDERED = 0.8
+"""Share of the tour that a wandering hand covers."""
 CLEARANCE = 0.01
 """Distance kept from the walls while not pressing [m]."""
 PRESS = 0.8
@@ -52,6 +55,8 @@ class Task:
     """A path for the hand, a force for the application, and what was left out and why."""
 
     path: Path
+    round_trip: Path
+    """From the start of the path through the target and back: where a hand wanders."""
     phases: tuple[Phase, ...]
     turning_force: float  # N
     notes: tuple[str, ...]
@@ -100,7 +105,7 @@ class Planner:
         for wall in self._machine.walls:
             self._press(wall)
         force = SHARE * self._possible(self._centre)
-        return Task(self._path, tuple(self._phases), force, tuple(self._notes))
+        return Task(self._path, self._wander(), tuple(self._phases), force, tuple(self._notes))
 
     def _note_phase(self, name: str, begin: float) -> None:
         """A phase from `begin` to the end of what is planned so far."""
@@ -109,6 +114,14 @@ class Planner:
     def _go(self, target: Pair) -> None:
         self._path.move(target, max(SHORTEST, dist(self._path.goal, target) / MEAN_SPEED))
 
+    def _wander(self) -> Path:
+        """Corner by corner, not as far as the tour."""
+        path = Path(self._centre, rest=0.0)
+        for sign in (*CORNERS, (0, 0)):
+            target = self._cleared(self._target_point(WANDERED * self._reachable_share(), sign))
+            path.move(target, max(SHORTEST, dist(path.goal, target) / MEAN_SPEED))
+        return path
+
     def _tour_target(self) -> None:
         share = self._reachable_share()
         if share < 1.0:
@@ -116,8 +129,8 @@ class Planner:
                 f"the path covers {share:.0%} of the target about its centre: beyond it the cables"
                 f" have less than {RESERVE * self._machine.target.force:.2g} N in some direction"
             )
-        signs = [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
-        for point in [*(self._target_point(share, sign) for sign in signs), self._centre]:
+        corners = [self._target_point(share, sign) for sign in CORNERS]
+        for point in [*corners, self._centre]:
             self._go(self._cleared(point))
         self._note_phase("tour", TENSIONING)
 

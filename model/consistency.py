@@ -151,7 +151,7 @@ STAGES = (
     (layout.headings, layout.pulley_contacts, _carriages, _rail_drive),
     (layout.cables_span, layout.bases_off_one_line),
     (bus.buses_first, bus.bit_rates, bus.sync_rates, bus.names_and_nodes, bus.drives_on_buses),
-    (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given),
-    (bus.currents, bus.object_ranges, bus.heartbeats, bus.sweeps),
+    (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given, bus.other_nodes),
+    (bus.currents, bus.object_ranges, bus.heartbeats, bus.sweeps, bus.frames_of_other_nodes),
     (bus.schedulable,),
 )

@@ -19,7 +19,7 @@ from model.base import (
     RailCoordinate,
     motions,
 )
-from model.bus.tables import Bus, Calibration, Drive, RailHoming, Rating, Supervision
+from model.bus.tables import Bus, Calibration, Drive, OtherNode, RailHoming, Rating, Supervision
 from model.consistency import consistency_problems
 from model.kind import KINDS
 from model.problem import MachineError, Problem, schema_problems
@@ -275,6 +275,9 @@ class Machine(Table):
     buses: tuple[Bus, ...] = Field((), alias="bus", description="any number of [[bus]]")
     drives: tuple[Drive, ...] = Field(
         (), alias="drive", description="with buses: one [[drive]] for each cable and rail"
+    )
+    nodes: tuple[OtherNode, ...] = Field(
+        (), alias="node", description="any number of [[node]]: who else may be on a bus"
     )
     supervision: Supervision = Field(
         default_factory=lambda: Supervision.model_validate({}),

@@ -204,6 +204,14 @@ class Slcan(Port):
         """Open the adapter; bit rate in bit/s."""
         return Result(self._call.tb_slcan_open(self.memory, str(path).encode(), bit_rate))
 
+    def begin(self, path: str | Path, bit_rate: int = 1_000_000) -> Result:
+        """Begin to open the adapter, without waiting; EMPTY: it is under way."""
+        return Result(self._call.tb_slcan_begin(self.memory, str(path).encode(), bit_rate))
+
+    def proceed(self) -> Result:
+        """Go on with it."""
+        return Result(self._call.tb_slcan_proceed(self.memory))
+
     @property
     def answers(self) -> bool:
         """Whether the adapter acknowledged commands."""

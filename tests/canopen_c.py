@@ -35,10 +35,16 @@ class Frame(NamedTuple):
 class Canopen:
     """The compiled library; an attribute is a C function, a struct or an enumerator."""
 
-    def __init__(self, sources: Sequence[Path] = SOURCES, precision: str = "double") -> None:
+    def __init__(
+        self,
+        sources: Sequence[Path] = SOURCES,
+        precision: str = "double",
+        folders: Sequence[Path] = (),
+    ) -> None:
+        """folders: searched for headers before those of the stock machine."""
         compiler = f"{os.environ.get('CC') or 'gcc'} -g"
         with mock.patch.dict(os.environ, CC=compiler):
-            path = compile_library(sources, FOLDERS, precision)
+            path = compile_library(sources, [*folders, *FOLDERS], precision)
         self._library = ctypes.CDLL(str(path))
         self._declared: Declarations = declarations(path)
 

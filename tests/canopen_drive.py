@@ -89,7 +89,7 @@ class Drive:
         """The same of every SYNC."""
         self.power_at_boot = "OFF"
         self._waiting: tuple[int, int] | None = None
-        self._sizes = sizes
+        self.sizes = sizes
         self.wire.add_node(self.node)
         self.node.add_read_callback(self._on_read)
         self.node.add_write_callback(self._on_write)
@@ -126,7 +126,7 @@ class Drive:
         self.machine = Machine(self.power_at_boot)
         self._waiting = None
         self.node.data_store.clear()
-        for (index, subindex), size in self._sizes.items():
+        for (index, subindex), size in self.sizes.items():
             self.node.data_store.setdefault(index, {})[subindex] = bytes(size)
         for entry in self.row.identity:
             self._store(entry)

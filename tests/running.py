@@ -1,4 +1,5 @@
-"""The executable of the stock machine as tests run it: on serial lines, watched by telemetry."""
+"""The executable of the stock machine as tests run it: on serial lines, in simulated time unless a
+test is about the computer's, watched by telemetry."""
 
 import os
 import subprocess
@@ -8,56 +9,97 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from lab.drives.bus import SimulatedBus
+from lab.drives.simulated_clock import SimulatedClock, Simulation
 from lab.drives.slcan_adapter import SlcanAdapter
 from lab.live import LiveError
 from lab.live.telemetry import Record, Telemetry
 
 BUSES = ("cable1", "cable2", "base")
-PATIENCE = 60.0
-"""Seconds after which a test gives up; nothing takes that long."""
+PATIENCE = 600.0
+"""Seconds after which a test gives up; nothing takes that long, on no computer."""
+
+
+class NoDrives:
+    """Buses with nobody on them, in simulated time."""
+
+    def __init__(self) -> None:
+        self.buses = [SimulatedBus(name, []) for name in BUSES]
+        self.time = 0.0
+
+    def run_until(self, time: float) -> None:
+        """Nothing happens."""
+        self.time = time
 
 
 class Lines:
-    """Serial adapters, one a bus, with nobody behind them: what arrives is thrown away."""
+    """Serial adapters, one a bus, with a simulation behind them: without one, with no drives."""
 
-    def __init__(self) -> None:
+    def __init__(self, simulation: Simulation | None = None) -> None:
         self.adapters = [SlcanAdapter() for _ in BUSES]
-        self._over = threading.Event()
-        self._readers = [
-            threading.Thread(target=self._read, args=[adapter]) for adapter in self.adapters
-        ]
-        for reader in self._readers:
-            reader.start()
+        self.clock = SimulatedClock(simulation or NoDrives(), self.adapters)
+        self._over, self._halt, self._halted, self._go_on = (threading.Event() for _ in range(4))
+        self._keeper = threading.Thread(target=self._keep_time)
+        self._keeper.start()
 
     @property
     def options(self) -> list[str]:
-        """The buses, as the program takes them."""
+        """Buses and clock, as the program takes them."""
+        return [*self.real_time_options, f"--clock={self.clock.path}"]
+
+    @property
+    def real_time_options(self) -> list[str]:
+        """The buses alone; what arrives is thrown away."""
         return [
             f"--bus={bus}=slcan:{adapter.path}"
             for bus, adapter in zip(BUSES, self.adapters, strict=True)
         ]
 
+    @contextmanager
+    def standstill(self) -> Iterator[None]:
+        """No time passes while the context lasts."""
+        self._go_on.clear()
+        self._halt.set()
+        self._halted.wait()
+        try:
+            yield
+        finally:
+            self._halt.clear()
+            self._halted.clear()
+            self._go_on.set()
+
     def unplug(self, bus: int) -> None:
         """Take a line away."""
+        with self.standstill():
+            self.clock.unplug(bus)
+
+    def stop(self) -> None:
+        """End the simulation."""
         self._over.set()
-        for reader in self._readers:
-            reader.join()
-        self.adapters[bus].shutdown()
+        self._keeper.join()
+        self.clock.close()
 
     def close(self) -> None:
-        """Take all lines away."""
-        for bus in range(len(BUSES)):
-            self.unplug(bus)
+        """End the simulation, and take all lines away."""
+        self.stop()
+        for adapter in self.adapters:
+            adapter.shutdown()
 
-    def _read(self, adapter: SlcanAdapter) -> None:
-        while not self._over.is_set():
-            adapter.recv(timeout=0.02)
+    def _keep_time(self) -> None:
+        while not self._is_over():
+            self.clock.run(self._is_over)
+
+    def _is_over(self) -> bool:
+        if self._halt.is_set():
+            self._halted.set()
+            self._go_on.wait()
+        return self._over.is_set()
 
 
 @contextmanager
-def silent_lines() -> Iterator[Lines]:
+def silent_lines(simulation: Simulation | None = None) -> Iterator[Lines]:
     """Lines without drives, while the context lasts."""
-    lines = Lines()
+    lines = Lines(simulation)
     try:
         yield lines
     finally:
@@ -102,9 +144,10 @@ class Running:
 
 @contextmanager
 def running(
-    program: Path, options: Sequence[str], wrapper: Sequence[str] = ()
+    program: Path, options: Sequence[str], wrapper: Sequence[str] = (), keep: bool = False
 ) -> Iterator[Running]:
-    """The program with some options, from its first cycle until the end of the context."""
+    """The program with some options, from its first cycle until the end of the context; beyond it
+    its telemetry may be kept."""
     path = shared_file()
     command = [*wrapper, str(program), f"--telemetry={path}", *options]
     with subprocess.Popen(
@@ -114,13 +157,15 @@ def running(
             yield Running(process, opened(path, process))
         finally:
             process.kill()
-            path.unlink(missing_ok=True)
+            if not keep:
+                path.unlink(missing_ok=True)
 
 
-def shared_file() -> Path:
-    """A place for telemetry of this process alone."""
+def shared_file(keep: bool = False) -> Path:
+    """A place for telemetry of this process alone, empty unless what is there is kept."""
     path = Path(f"/dev/shm/turnbuckle-test-{os.getpid()}")
-    path.unlink(missing_ok=True)
+    if not keep:
+        path.unlink(missing_ok=True)
     return path
 
 

@@ -21,7 +21,7 @@ from model.bus.frames import (
     tpdo_map,
 )
 from model.bus.plan import Load, loads
-from model.bus.tables import MASTER, MASTER_NODE
+from model.bus.tables import MASTER, MASTER_NODE, OtherNode
 from model.machine import Machine
 
 EVERYONE = "Vector__XXX"
@@ -129,7 +129,8 @@ def dbc_files(machine: Machine) -> dict[str, str]:
 def dbc(machine: Machine, load: Load, drives: Sequence[Axis]) -> str:
     """The DBC of one bus."""
     frames = sorted(_frames(machine, load, drives), key=lambda frame: frame.identifier)
-    nodes = " ".join([MASTER, *(axis.drive.name for axis in drives)])
+    others = [node.name for node in load.nodes]
+    nodes = " ".join([MASTER, *(axis.drive.name for axis in drives), *others])
     title = f"Bus {load.name} of {machine.name}"
     lines = [
         'VERSION ""',
@@ -191,6 +192,18 @@ def _frames(machine: Machine, load: Load, drives: Sequence[Axis]) -> Iterator[Fr
         yield _emergency(name, node)
         yield _command(axis, cycle)
         yield _answer(axis, cycle)
+    for other in load.nodes:
+        yield from _frames_of_node(other)
+
+
+def _frames_of_node(node: OtherNode) -> Iterator[Frame]:
+    """What is in them nobody but the node knows."""
+    name = node.name
+    yield _heartbeat(name, node.node, EVERYONE, round((node.heartbeat or 0.0) * 1e3))
+    for frame in node.frames:
+        meaning = f"Frame {frame.id:03X} of {name}"
+        title, cycle = f"{name}_{frame.id:03x}", round(frame.period * 1e3)
+        yield Frame(frame.id, title, frame.length, name, EVERYONE, (), meaning, cycle)
 
 
 def _heartbeat(name: str, node: int, receiver: str, cycle: int) -> Frame:

@@ -1,5 +1,7 @@
 """tb_drives.h and tb_drives.c: what the runtime knows of the machine's buses and drives."""
 
+from math import inf
+
 from codegen.bus.contract import Object, contract, identity
 from codegen.constants import Constant, real
 from codegen.print_c import literal
@@ -8,6 +10,8 @@ from model.bus.plan import compute_phase, loads, timing
 from model.machine import Machine
 
 MODES = {"torque": 0, "position": 1}
+NO_FRAME = "{0x800, 0}"
+"""An identifier has 11 bits."""
 
 
 def drive_fields(machine: Machine) -> dict[str, object]:
@@ -16,6 +20,7 @@ def drive_fields(machine: Machine) -> dict[str, object]:
         "groups": groups(machine),
         "buses": [bus_row(machine, number) for number in range(len(machine.buses))],
         "drives": [drive_row(machine, axis) for axis in axes(machine)],
+        "node_frames": node_frames(machine),
     }
 
 
@@ -36,6 +41,7 @@ def sizes(machine: Machine) -> list[Constant]:
     return [
         Constant("TB_BUSES", str(len(machine.buses))),
         Constant("TB_DRIVES", str(len(machine.drives)), meaning),
+        Constant("TB_NODE_FRAMES", str(len(node_frames(machine))), "of nodes that are no drives"),
     ]
 
 
@@ -124,14 +130,16 @@ def base_drives(machine: Machine) -> list[Constant]:
 def calibration(machine: Machine) -> list[Constant]:
     """How the cables' zeros are found."""
     way = machine.calibration
-    shortest = min((rail.length for rail in machine.rails), default=0.0)
+    shortest = min((rail.length for rail in machine.rails), default=inf)
     return [
         Constant("TB_CALIBRATION_SAMPLES", str(way.samples), "poses that are measured"),
         count(machine, "CALIBRATION_CYCLES", way.interval, "between two of them"),
         real(
             "TB_CALIBRATION_TRAVEL",
             way.travel_on(shortest),
-            "m, sweep of each base to either side of the middle of its rail",
+            "m, sweep of each base to either side of the middle of its rail"
+            if machine.rails
+            else "m, a fifth of it makes another pose",
         ),
     ]
 
@@ -146,6 +154,17 @@ def bus_row(machine: Machine, number: int) -> str:
     """A tb_bus_table."""
     bus = loads(machine)[number]
     return f'{{"{bus.name}", {round(bus.bit_rate)}U, {bus.divider}}}'
+
+
+def node_frames(machine: Machine) -> list[str]:
+    """Rows of tb_node_frame; one that nobody sends where there are none: C has no empty arrays."""
+    buses = [bus.name for bus in machine.buses]
+    rows = [
+        f"{{0x{identifier:03X}, {buses.index(node.bus)}}}"
+        for node in machine.nodes
+        for identifier in node.identifiers
+    ]
+    return rows or [NO_FRAME]
 
 
 def drive_row(machine: Machine, axis: Axis) -> dict[str, object]:

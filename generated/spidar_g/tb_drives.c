@@ -387,3 +387,7 @@ const tb_drive_table tb_drives[TB_DRIVES] = {
      TB_C(5.9919999999999996e-05), TB_C(16688.91855807744), 734,
      5, 32, cable_8_identity, cable_8_contract}
 };
+
+const tb_node_frame tb_node_frames[TB_NODE_FRAMES] = {
+    {0x800, 0}
+};

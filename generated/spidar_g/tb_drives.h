@@ -9,6 +9,7 @@
 
 #define TB_BUSES 4
 #define TB_DRIVES 8 /* cable drives in the order of the cables, then base drives in that of the rails */
+#define TB_NODE_FRAMES 1 /* of nodes that are no drives */
 
 /* Times */
 #define TB_COMPUTE_PHASE 500 /* us from SYNC until every answer is there: turnbuckle bus */
@@ -40,7 +41,7 @@
 /* Calibration of the cables' zeros */
 #define TB_CALIBRATION_SAMPLES 24 /* poses that are measured */
 #define TB_CALIBRATION_CYCLES 100 /* cycles between two of them */
-#define TB_CALIBRATION_TRAVEL TB_C(0.0) /* m, sweep of each base to either side of the middle of its rail */
+#define TB_CALIBRATION_TRAVEL TB_C(0.1) /* m, a fifth of it makes another pose */
 
 /** What is done with an entry of a drive's object dictionary. */
 typedef enum {
@@ -82,7 +83,14 @@ typedef struct {
     const tb_object *contract; /* CONFIGURE writes these and reads them back, in this order */
 } tb_drive_table;
 
+/** A frame that a node other than a drive may send; 0x800 is none. */
+typedef struct {
+    uint16_t id; /* its identifier */
+    uint8_t bus; /* number of the bus in tb_buses */
+} tb_node_frame;
+
 extern const tb_bus_table tb_buses[TB_BUSES];
 extern const tb_drive_table tb_drives[TB_DRIVES];
+extern const tb_node_frame tb_node_frames[TB_NODE_FRAMES];
 
 #endif

@@ -414,3 +414,7 @@ const tb_drive_table tb_drives[TB_DRIVES] = {
      TB_C(0.00025878), TB_C(3864.286266326609), 3477,
      5, 39, base_4_identity, base_4_contract}
 };
+
+const tb_node_frame tb_node_frames[TB_NODE_FRAMES] = {
+    {0x800, 0}
+};

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 97147fbb7a9bba50, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine f74f97bf3ac28814, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_drives.h"
 
 static const tb_object cable_1_identity[] = {
@@ -196,4 +196,8 @@ const tb_drive_table tb_drives[TB_DRIVES] = {
      TB_C(7.669903939428207e-06), TB_C(130379.72938088066),
      TB_C(5.9919999999999996e-05), TB_C(16688.91855807744), 917,
      5, 32, cable_4_identity, cable_4_contract}
+};
+
+const tb_node_frame tb_node_frames[TB_NODE_FRAMES] = {
+    {0x800, 0}
 };

@@ -71,9 +71,9 @@ class Waiting(NamedTuple):
 class SimulatedBus:
     """Drives on one bus; whoever else is on it calls send and take.
 
-    With a wire, frames take their time: they move in run_until, one after the other, the most urgent
-    of those that wait first. Frames of the master keep their order, as in an adapter. Without a wire
-    frames take no time at all: that is for tests of single drives.
+    With a wire, frames take their time: they move in run_until, one after the other, the most
+    urgent of those that wait first. Frames of the master keep their order, as in an adapter.
+    Without a wire frames take no time at all: that is for tests of single drives.
     """
 
     def __init__(self, name: str, setups: list[Setup], wire: Wire | None = None) -> None:

@@ -58,8 +58,9 @@ AFTER_HEARTBEAT_LOSS = {0: Nmt.PRE_OPERATIONAL, 2: Nmt.STOPPED}
 class Drive:
     """The drive.
 
-    Faults to be set by a test: raise_error, refuse, shut_down, silent here; false_statusword, given,
-    encoder.distort, encoder.jump and homing.fail in `servo`. A wrong identity is the setup's.
+    Faults to be set by a test: raise_error, refuse, shut_down, silent here; false_statusword,
+    given, encoder.distort, encoder.jump and homing.fail in `servo`. A wrong identity is the
+    setup's.
     """
 
     def __init__(self, setup: Setup, send: Send) -> None:
@@ -71,7 +72,7 @@ class Drive:
         self._send = send
         self._objects = Objects()
         self.describe()
-        self.servo = Servo(self._objects, setup.ratings)
+        self.servo = Servo(self._objects, setup.ratings, setup.start_count)
         self._pdos = ProcessData(self._objects)
         self._handlers: dict[int, Callable[[bytes], None]] = {}
         self._sdo = SdoNode(

@@ -30,18 +30,19 @@ def clip(value: float, limit: float) -> float:
 
 
 class Encoder:
-    """Counts increments from wherever the motor stood at power-on."""
+    """Counts increments; at power-on it has the count `start`, wherever the motor stands."""
 
-    def __init__(self, increments_per_turn: int) -> None:
+    def __init__(self, increments_per_turn: int, start: int = 0) -> None:
         self.per_radian = increments_per_turn / (2.0 * pi)
-        self.count = 0
+        self.count = start
         self.speed = 0.0  # rad/s, filtered
+        self.start_count = start
         self.restart()
 
     def restart(self) -> None:
-        """Power-on: zero is where the motor stands."""
-        self.count, self.speed = 0, 0.0
-        self._turned = 0
+        """Power-on: counts from where the motor stands."""
+        self.count, self.speed = self.start_count, 0.0
+        self._turned = self.start_count
         self._angle: float | None = None
         self._rate = 0.0
         self._from = self._counted = 0.0
@@ -85,7 +86,8 @@ class Encoder:
         return floor(angle * self.per_radian)
 
     def _count_at(self, angle: float) -> int:
-        return floor((angle - self._from) * self.per_radian * self._scale + self._counted)
+        turned = (angle - self._from) * self.per_radian * self._scale
+        return self.start_count + floor(turned + self._counted)
 
 
 @dataclass

@@ -1,7 +1,8 @@
-"""Simulated buses in real time: behind python-can ones, for masters in other programs.
+"""Simulated buses in real time: behind python-can ones, for masters that keep their own time.
 
-Simulated time is wall time divided by `pace`: with a pace of 5 a master has to run five times
-slower than on real drives, and the computer has five times as long for the physics.
+The runtime's program lives by the simulation's instead: simulated_clock.py. Here simulated time is
+wall time divided by `pace`: with a pace of 5 a master has to run five times slower than on real
+drives, and the computer has five times as long for the physics.
 """
 
 import select

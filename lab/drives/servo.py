@@ -41,9 +41,9 @@ ABORT_RAMP = {3: QUICK}
 class Servo:
     """Power stage, modes and motor of one drive."""
 
-    def __init__(self, objects: Objects, ratings: Ratings) -> None:
+    def __init__(self, objects: Objects, ratings: Ratings, start_count: int = 0) -> None:
         self.power = Power.NOT_READY
-        self.encoder = Encoder(4 * ratings.encoder_pulses)
+        self.encoder = Encoder(4 * ratings.encoder_pulses, start_count)
         self.homing: Homing | None = None
         self.torque = 0.0  # N m
         self.false_statusword: int | None = None

@@ -37,4 +37,5 @@ class Setup:
     ratings: Ratings = field(default_factory=Ratings)
     identity: Identity = field(default_factory=Identity)
     boot_time: float = 0.2  # s, after power-on and NMT reset node
+    start_count: int = 0  # of the encoder at power-on: that of a multi-turn encoder may be any
     restart_time: float = 0.02  # s, after NMT reset communication

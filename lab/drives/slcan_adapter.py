@@ -37,9 +37,14 @@ class SlcanAdapter(can.BusABC):
         return self._line
 
     def send(self, msg: can.Message, timeout: float | None = None) -> None:
-        """Let a frame arrive at the peer; before it opened the bus nothing does."""
-        if self.is_open:
-            self._write(encode(msg))
+        """Let a frame arrive at the peer.
+
+        Raises CanOperationError where none can: it has not opened the bus, or does not read.
+        """
+        if not self.is_open:
+            raise can.CanOperationError(f"{self.path}: nobody has opened the bus")
+        if not self._write(encode(msg)):
+            raise can.CanOperationError(f"{self.path}: nobody reads")
 
     def shutdown(self) -> None:
         """Take the line away."""
@@ -49,41 +54,44 @@ class SlcanAdapter(can.BusABC):
             os.close(self._peer)
 
     def _recv_internal(self, timeout: float | None) -> tuple[can.Message | None, bool]:
-        if not self._frames and select.select([self._line], [], [], timeout)[0]:
+        if not self._frames and (timeout == 0 or select.select([self._line], [], [], timeout)[0]):
             self._read()
         return (self._frames.pop(0) if self._frames else None), False
 
     def _read(self) -> None:
-        *lines, self._text = (self._text + os.read(self._line, READ_AT_ONCE)).split(b"\r")
-        for line in lines:
-            self._obey(line)
-
-    def _obey(self, line: bytes) -> None:
-        letter = line[:1]
-        if letter in b"tTrR" and letter:
-            self._take_frame(line)
-        elif letter in ANSWERS:
-            self._write(ANSWERS[letter])
-        elif letter in b"OC" and letter:
-            self.is_open = letter == b"O"
-            self._write(ACKNOWLEDGED)
-        else:
-            self._write(ACKNOWLEDGED if letter in (b"S", b"s", b"Z", b"M", b"m", b"") else REFUSED)
-
-    def _take_frame(self, line: bytes) -> None:
-        frame = decode(line)
-        if frame is None or not self.is_open:
-            self._write(REFUSED)
-            return
-        self._frames.append(frame)
-        self._write((b"Z" if frame.is_extended_id else b"z") + ACKNOWLEDGED)
-
-    def _write(self, data: bytes) -> None:
-        """A peer that does not read loses what is written."""
         try:
-            os.write(self._line, data)
+            text = os.read(self._line, READ_AT_ONCE)
         except BlockingIOError:
             return
+        *lines, self._text = (self._text + text).split(b"\r")
+        if lines:
+            self._write(b"".join([self._obey(line) for line in lines]))
+
+    def _obey(self, line: bytes) -> bytes:
+        """Do what a line says; the answer to it."""
+        letter = line[:1]
+        if letter in b"tTrR" and letter:
+            return self._take_frame(line)
+        if letter in ANSWERS:
+            return ANSWERS[letter]
+        if letter in b"OC" and letter:
+            self.is_open = letter == b"O"
+            return ACKNOWLEDGED
+        return ACKNOWLEDGED if letter in (b"S", b"s", b"Z", b"M", b"m", b"") else REFUSED
+
+    def _take_frame(self, line: bytes) -> bytes:
+        frame = decode(line)
+        if frame is None or not self.is_open:
+            return REFUSED
+        self._frames.append(frame)
+        return (b"Z" if frame.is_extended_id else b"z") + ACKNOWLEDGED
+
+    def _write(self, data: bytes) -> bool:
+        """Whether all of it went; a peer that does not read loses what is written."""
+        try:
+            return os.write(self._line, data) == len(data)
+        except BlockingIOError:
+            return False
 
 
 def encode(message: can.Message) -> bytes:

@@ -5,3 +5,7 @@ from model.refusal import Refusal
 
 class LiveError(Refusal):
     """The machine cannot be run or watched."""
+
+
+class NothingYetError(LiveError):
+    """No program has written telemetry where it is looked for."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -20,8 +21,6 @@ Telemetry = Annotated[
         show_default=False,
     ),
 ]
-DEFAULT_SIM_PACE = 10
-"""How many times slower than real time the drives written in Python keep up."""
 
 
 def run(
@@ -39,20 +38,10 @@ def run(
         bool,
         typer.Option(
             "--sim",
-            help="Run against simulated drives: on serial lines of their own, or, with --bus, on"
-            " interfaces of the kernel, such as cable1=socketcan:vcan0.",
+            help="Run against simulated drives, in simulated time: on serial lines of their own,"
+            " or, with --bus, on interfaces of the kernel, such as cable1=socketcan:vcan0.",
         ),
     ] = False,
-    pace: Annotated[
-        int | None,
-        typer.Option(
-            metavar="N",
-            min=1,
-            max=1000,
-            help="Stretch time N times; only with --sim.  [default: 10]",
-            show_default=False,
-        ),
-    ] = None,
     arm: Annotated[
         bool, typer.Option("--arm", help="Arm as soon as every drive is configured.")
     ] = False,
@@ -107,6 +96,8 @@ def run(
     states are told as they change; `turnbuckle monitor` shows more.
 
     Ctrl-C stops softly. Exit status: 0 stopped as asked, 1 stopped by a fault.
+    After a fault the machine waits for a reset; with --sim, or with
+    --seconds, the run ends.
 
     \b
     Example:
@@ -114,10 +105,10 @@ def run(
       turnbuckle run machines/yoon2023.toml --bus cable1=slcan:/dev/ttyACM0 \\
         --bus cable2=slcan:/dev/ttyACM1 --bus base=socketcan:can0
     """
-    from lab.live.run import Order, run_machine
+    from lab.live.run import Order, Voices, run_machine
     from model.machine import load_machine
 
-    refuse_contradictions(sim, bus, pace, seconds)
+    refuse_contradictions(sim, bus, seconds)
     machine = load_machine(file)
     further = [f"--cpu={cpu}"] if cpu is not None else []
     if priority is not None:
@@ -125,7 +116,6 @@ def run(
     order = Order(
         buses=bus or (),
         simulated=sim,
-        pace=pace or (DEFAULT_SIM_PACE if sim else 1),
         arm=arm,
         seconds=seconds,
         record=record,
@@ -134,22 +124,18 @@ def run(
         precision=precision,
         further=further,
     )
-    status = run_machine(machine, order, typer.echo)
+    status = run_machine(machine, order, Voices(typer.echo, partial(typer.echo, err=True)))
     if status:
         raise typer.Exit(status)
 
 
-def refuse_contradictions(
-    sim: bool, bus: list[str] | None, pace: int | None, seconds: float | None
-) -> None:
+def refuse_contradictions(sim: bool, bus: list[str] | None, seconds: float | None) -> None:
     """Options that do not go together."""
     if sim and not all("=socketcan:" in each for each in bus or ()):
         raise typer.BadParameter(
             "--bus is for real adapters, --sim for simulated drives; together they take interfaces"
             " of the kernel alone, such as --bus cable1=socketcan:vcan0"
         )
-    if pace is not None and not sim:
-        raise typer.BadParameter("--pace stretches time: real drives do not; only with --sim")
     if seconds is not None and not 0 < seconds < 1e9:
         raise typer.BadParameter("--seconds: a positive number of seconds is due")
 
@@ -171,7 +157,8 @@ def monitor(
 ) -> None:
     """Watch a running machine, live in the terminal.
 
-    Shows state, pose, tensions, drives, buses and timing.
+    Shows state, pose, tensions, drives, buses and timing. Waits for a
+    program that does not run yet.
 
     With a machine file the program must be that machine's, and a planar
     machine is drawn. A request (--arm, --stop, --reset) is sent, and the
@@ -184,14 +171,16 @@ def monitor(
     """
     from rich.console import Console
 
-    from lab.live.monitor import open_subject, print_once, request, watch
+    from lab.live.monitor import print_once, request, subject_of, watch
 
-    shared, known = open_subject(machine, telemetry)
+    subject, console = subject_of(machine, telemetry), Console()
     wishes: dict[Request, bool] = {"arm": arm, "stop": stop, "reset": reset}
     asked = [name for name, wanted in wishes.items() if wanted]
+    if not once and not asked:
+        watch(subject.wait(console), subject.machine, console)
+        return
+    shared = subject.open()
     for name in asked:
         request(shared, name)
     if once:
-        print_once(shared, known, Console())
-    elif not asked:
-        watch(shared, known, Console())
+        print_once(shared, subject.machine, console)

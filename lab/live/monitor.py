@@ -9,6 +9,7 @@ import tty
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import NamedTuple
 
 from rich.console import Console, Group, RenderableType
 from rich.live import Live
@@ -16,7 +17,7 @@ from rich.text import Text
 
 from lab.live import LiveError
 from lab.live.identity import hash_of
-from lab.live.telemetry import Request, Telemetry, default_path
+from lab.live.telemetry import Request, Telemetry, default_path, running
 from lab.live.view import Reading, show
 from model.machine import Machine, load_machine
 
@@ -27,22 +28,55 @@ QUIT = {"q", "\x03", "\x04"}
 HELP = "a arm   s stop   r reset   q leave"
 
 
-def open_subject(subject: str, telemetry: Path | None) -> tuple[Telemetry, Machine | None]:
-    """The telemetry of a machine file or of a machine's name, and the machine of a file.
+class Subject(NamedTuple):
+    """What is watched."""
 
-    Raises LiveError where no program writes, or one of another machine than the file's.
-    """
-    if subject.endswith(".toml") or "/" in subject:
-        machine = load_machine(subject)
-        opened = Telemetry(telemetry or default_path(machine.name))
-        wanted = hash_of(machine)
-        if opened.hash != wanted:
-            raise LiveError(
-                f"{opened.path}: found the program of {opened.machine} {opened.hash};"
-                f" allowed: {machine.name} {wanted}, the hash of {subject}"
+    path: Path
+    """Of its telemetry."""
+    machine: Machine | None
+    """Known where its file was given."""
+
+    def open(self) -> Telemetry:
+        """Its telemetry.
+
+        Raises LiveError where no program has written any, or one of another machine.
+        """
+        telemetry = Telemetry(self.path)
+        self._refuse_other(telemetry)
+        return telemetry
+
+    def wait(self, console: Console) -> Telemetry:
+        """Its telemetry, as soon as a program runs that writes it; says for what it waits."""
+        telemetry = running(self.path)
+        if telemetry is None:
+            console.print(
+                f"{self.path}: no program runs that writes here; waiting for `turnbuckle run`,"
+                " Ctrl-C leaves",
+                soft_wrap=True,
             )
-        return opened, machine
-    return Telemetry(telemetry or default_path(subject)), None
+        while telemetry is None:
+            time.sleep(REFRESH)
+            telemetry = running(self.path)
+        self._refuse_other(telemetry)
+        return telemetry
+
+    def _refuse_other(self, telemetry: Telemetry) -> None:
+        if self.machine is None:
+            return
+        wanted = hash_of(self.machine)
+        if telemetry.hash != wanted:
+            raise LiveError(
+                f"{telemetry.path}: found the program of {telemetry.machine} {telemetry.hash};"
+                f" allowed: {self.machine.name} {wanted}, the hash of {self.machine.path}"
+            )
+
+
+def subject_of(words: str, telemetry: Path | None) -> Subject:
+    """What a machine file, or a machine's name, means."""
+    if words.endswith(".toml") or "/" in words:
+        machine = load_machine(words)
+        return Subject(telemetry or default_path(machine.name), machine)
+    return Subject(telemetry or default_path(words), None)
 
 
 def request(telemetry: Telemetry, what: Request) -> None:
@@ -56,9 +90,8 @@ def read(telemetry: Telemetry, earlier: Reading | None) -> Reading:
     """What there is to see now; rates since an earlier reading."""
     ended = telemetry.ended  # before the rest: what is read after the end does not change
     status = telemetry.status()
-    now = time.monotonic()
-    before, since = (status, now) if earlier is None else (earlier.status, earlier.at)
-    return Reading(ended, telemetry.latest(), status, before, now, max(now - since, 1e-3))
+    before = status if earlier is None else earlier.status
+    return Reading(ended, telemetry.latest(), status, before)
 
 
 def print_once(telemetry: Telemetry, machine: Machine | None, console: Console) -> None:

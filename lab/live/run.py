@@ -1,13 +1,15 @@
 """Runs a machine's program, with real adapters or with simulated drives, and tells what it does."""
 
 import ctypes
+import os
 import signal
 import subprocess
 import time
-from collections.abc import Callable, Sequence
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from lab.live import LiveError
 from lab.live.identity import refuse_other
@@ -24,6 +26,14 @@ LOOKED_BACK = 2048
 Say = Callable[[str], None]
 SET_DEATH_SIGNAL = 1
 """PR_SET_PDEATHSIG of prctl(2)"""
+FAULT = "FAULT"
+
+
+class Voices(NamedTuple):
+    """Where it is told what happens, and what is wrong."""
+
+    say: Say
+    complain: Say
 
 
 @dataclass(frozen=True)
@@ -33,7 +43,6 @@ class Order:
     buses: Sequence[str] = ()
     """NAME=ADAPTER:DEVICE, as the program takes them."""
     simulated: bool = False
-    pace: int = 1
     arm: bool = False
     seconds: float | None = None
     record: Path | None = None
@@ -44,10 +53,11 @@ class Order:
     """Options that are handed to the program as they are."""
 
 
-def run_machine(machine: Machine, order: Order, say: Say) -> int:
+def run_machine(machine: Machine, order: Order, voices: Voices) -> int:
     """Run the program until it ends; its exit status: 0 stopped as asked, 1 by a fault.
 
-    Ctrl-C stops the machine softly, once more at once. Raises LiveError for what cannot be run.
+    A fault ends a run in simulation, or one of so many seconds; any other waits for a reset. Ctrl-C
+    stops the machine softly, once more at once. Raises LiveError for what cannot be run.
     """
     if order.program is None:
         program = build_program(machine, order.precision)
@@ -56,13 +66,14 @@ def run_machine(machine: Machine, order: Order, say: Say) -> int:
         refuse_other(program, machine)
     telemetry = order.telemetry or default_path(machine.name)
     with ExitStack() as stack:
-        buses = order.buses
+        reach = [f"--bus={bus}" for bus in order.buses]
         if order.simulated:
-            drives = simulated_drives(bench_of(machine), order.pace, telemetry, order.buses)
-            buses = stack.enter_context(drives)
-        process = start(program, arguments(machine, order, buses))
+            drives = simulated_drives(bench_of(machine), telemetry, order.buses)
+            reach = stack.enter_context(drives)
+        process = start(program, [*reach, *arguments(machine, order)])
         stack.callback(finish, process)
-        return follow(process, telemetry, say)
+        ends_at_fault = order.simulated or order.seconds is not None
+        return follow(process, telemetry, voices, ends_at_fault)
 
 
 def bench_of(machine: Machine) -> Bench:
@@ -74,13 +85,11 @@ def bench_of(machine: Machine) -> Bench:
     return Bench(machine, plant, plan_task(load(machine.path)))
 
 
-def arguments(machine: Machine, order: Order, buses: Sequence[str]) -> list[str]:
-    """The command line of the program."""
-    words = [f"--bus={bus}" for bus in buses]
+def arguments(machine: Machine, order: Order) -> list[str]:
+    """The command line of the program, but for how it reaches its drives."""
+    words = []
     if order.arm:
         words.append("--arm")
-    if order.pace != 1:
-        words.append(f"--pace={order.pace}")
     if order.seconds is not None:
         words.append(f"--cycles={max(1, round(order.seconds * machine.control.rate))}")
     if order.record is not None:
@@ -101,7 +110,12 @@ def start(program: Path, words: Sequence[str]) -> "subprocess.Popen[bytes]":
         libc.prctl(SET_DEATH_SIGNAL, signal.SIGTERM)
 
     return subprocess.Popen(
-        [program, *words], process_group=0, preexec_fn=stop_with_parent, stdin=subprocess.DEVNULL
+        [program, *words],
+        process_group=0,
+        preexec_fn=stop_with_parent,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
     )
 
 
@@ -112,31 +126,73 @@ def finish(process: "subprocess.Popen[bytes]") -> None:
         process.wait()
 
 
-def follow(process: "subprocess.Popen[bytes]", path: Path, say: Say) -> int:
-    """Tell states as they change until the program ends; its exit status."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    teller = Teller(process.pid, path, say)
-    while (status := process.poll()) is None:
-        try:
-            teller.look()
+def follow(
+    process: "subprocess.Popen[bytes]", path: Path, voices: Voices, ends_at_fault: bool
+) -> int:
+    """Tell states and causes as they change until the program ends; its exit status."""
+    teller, relay = Teller(process.pid, path, voices.say), Relay(process, voices)
+    with stop_signals() as asked:
+        handed_on = 0
+        while (status := process.poll()) is None:
+            relay.carry(teller.look)
+            if ends_at_fault and teller.state == FAULT:
+                process.terminate()
+                ends_at_fault = False
+            while handed_on < len(asked):
+                voices.say("stopping; once more stops at once")
+                process.send_signal(signal.SIGINT)
+                handed_on += 1
             time.sleep(POLL)
-        except KeyboardInterrupt:
-            say("stopping; once more stops at once")
-            process.send_signal(signal.SIGINT)
-    teller.look()
+        relay.carry(teller.look)
     if status < 0:
         raise LiveError(f"the program was ended by {signal.Signals(-status).name}")
     return status
 
 
+@contextmanager
+def stop_signals() -> Iterator[list[int]]:
+    """Ctrl-C and SIGTERM as they come, while the context lasts."""
+    asked: list[int] = []
+    before = {
+        number: signal.signal(number, lambda number, frame: asked.append(number))
+        for number in (signal.SIGINT, signal.SIGTERM)
+    }
+    try:
+        yield asked
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+class Relay:
+    """Hands on what a program writes, in the order in which it happened: states, report, cause."""
+
+    def __init__(self, process: "subprocess.Popen[bytes]", voices: Voices) -> None:
+        assert process.stdout is not None and process.stderr is not None
+        self._out, self._err = process.stdout, process.stderr
+        self._voices = voices
+        for stream in (self._out, self._err):
+            os.set_blocking(stream.fileno(), False)
+
+    def carry(self, look: Callable[[], None]) -> None:
+        """Hand on what there is; what the program says last was read first."""
+        complaints, report = self._err.read(), self._out.read()
+        look()
+        for words, voice in ((report, self._voices.say), (complaints, self._voices.complain)):
+            if words:
+                voice(words.decode(errors="replace").removesuffix("\n"))
+
+
 class Teller:
-    """Tells the states of one program as they change, and what it does in them."""
+    """Tells the states of one program as they change, what it does in them, and why it stops."""
 
     def __init__(self, pid: int, path: Path, say: Say) -> None:
         self._pid, self._path, self._say = pid, path, say
         self._telemetry: Telemetry | None = None
         self._next = 0
-        self._state, self._doing = "", ""
+        self.state = ""
+        """The last one that was told."""
+        self._doing = self._cause = ""
 
     def look(self) -> None:
         """Read all cycles since the last look."""
@@ -148,21 +204,34 @@ class Teller:
     def _tell_news(self, telemetry: Telemetry) -> None:
         status = telemetry.status()
         published = int(status["published"])
+        doing, cause = (status[name].decode(errors="replace") for name in ("doing", "cause"))
         for number in range(max(self._next, published - LOOKED_BACK), published):
             if (cycle := telemetry.cycle(number)) is not None:
-                self._tell(telemetry, number, word(STATES, int(cycle["state"])), "")
+                seconds = float(telemetry.counts["period"]) * number
+                self._tell_state(seconds, word(STATES, int(cycle["state"])))
+                self._tell_cause(seconds, cause if cycle["cause"] else "")
         if published > self._next:
-            doing = status["doing"].decode(errors="replace")
-            self._tell(telemetry, published - 1, self._state, doing)
+            self._tell_doing(float(telemetry.counts["period"]) * (published - 1), doing)
         self._next = published
 
-    def _tell(self, telemetry: Telemetry, number: int, state: str, doing: str) -> None:
-        """A line where the state is new, or what is done in it."""
-        new_state, new_doing = state != self._state, doing not in ("", self._doing)
-        if new_state or new_doing:
-            seconds = float(telemetry.counts["period"]) * number
-            self._say(f"{seconds:9.3f} s  {state if new_state else '':10} {doing}".rstrip())
-            self._state, self._doing = state, doing
+    def _tell_state(self, seconds: float, state: str) -> None:
+        if state != self.state:
+            self.state = state
+            self._say(f"{seconds:9.3f} s  {state}")
+
+    def _tell_cause(self, seconds: float, cause: str) -> None:
+        if cause != self._cause:
+            self._cause = cause
+            self._say_more(seconds, cause)
+
+    def _tell_doing(self, seconds: float, doing: str) -> None:
+        if doing != self._doing:
+            self._doing = doing
+            self._say_more(seconds, doing)
+
+    def _say_more(self, seconds: float, words: str) -> None:
+        if words:
+            self._say(f"{seconds:9.3f} s  {'':10} {words}")
 
 
 def telemetry_of(pid: int, path: Path) -> Telemetry | None:

@@ -1,15 +1,14 @@
 """Simulated drives in a process of their own: behind serial CAN adapters on pseudo-terminals, or on
-interfaces of the kernel.
+interfaces of the kernel. The simulation is the program's clock.
 
 The process is also the machine's application: it measures the hand, and once the machine runs it
 lets the hand begin its task and asks for the task's forces, all by way of the shared file.
 """
 
 import multiprocessing
-import os
 import signal
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import NamedTuple
@@ -17,10 +16,10 @@ from typing import NamedTuple
 import can
 from can.interfaces.socketcan import SocketcanBus
 
-from lab.drives.runner import Runner
+from lab.drives.simulated_clock import SimulatedClock
 from lab.drives.slcan_adapter import SlcanAdapter
 from lab.live import LiveError
-from lab.live.telemetry import Telemetry
+from lab.live.telemetry import Telemetry, running
 from lab.live.words import STATES
 from lab.machine_sim import SimulatedMachine
 from lab.task import Task
@@ -50,9 +49,9 @@ class Bench(NamedTuple):
 
 @contextmanager
 def simulated_drives(
-    bench: Bench, pace: int, telemetry: Path, buses: Sequence[str] = ()
+    bench: Bench, telemetry: Path, buses: Sequence[str] = ()
 ) -> Iterator[list[str]]:
-    """Every bus as the program takes it, while the context lasts.
+    """The program's options for every bus and for its clock, while the context lasts.
 
     buses: NAME=socketcan:INTERFACE for those that are interfaces of the kernel; the others are
     serial lines. Raises LiveError where it does not begin.
@@ -60,9 +59,7 @@ def simulated_drives(
     on = interfaces(buses, [bus.name for bus in bench.machine.buses])
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(
-        target=simulate, args=(theirs, bench, pace, telemetry, on), daemon=True
-    )
+    process = context.Process(target=simulate, args=(theirs, bench, telemetry, on), daemon=True)
     process.start()
     theirs.close()
     try:
@@ -73,7 +70,7 @@ def simulated_drives(
 
 
 def first_words(ours: Connection) -> list[str]:
-    """The buses that the other process has opened."""
+    """The options for what the other process has opened."""
     try:
         if ours.poll(PATIENCE):
             words: list[str] | str = ours.recv()
@@ -85,12 +82,10 @@ def first_words(ours: Connection) -> list[str]:
     raise LiveError("the simulated drives did not start")
 
 
-def simulate(
-    parent: Connection, bench: Bench, pace: int, telemetry: Path, on: dict[str, str]
-) -> None:
-    """Run the drives of a machine until the parent is gone; Ctrl-C is the parent's affair."""
+def simulate(parent: Connection, bench: Bench, telemetry: Path, on: dict[str, str]) -> None:
+    """Run the drives of a machine for one program, or until the parent is gone; Ctrl-C is the
+    parent's affair."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    take_priority()
     world = bench.power_on()
     names = [bus.name for bus in world.buses]
     try:
@@ -98,8 +93,12 @@ def simulate(
     except LiveError as error:
         parent.send(str(error))
         return
-    parent.send([f"{name}={way_to(port)}" for name, port in zip(names, ports, strict=True)])
-    Runner(Application(world, telemetry), ports, pace).run(parent.poll)
+    compute_time = bench.machine.supervision.compute_time
+    clock = SimulatedClock(Application(world, telemetry), ports, compute_time)
+    ways = [f"--bus={name}={way_to(port)}" for name, port in zip(names, ports, strict=True)]
+    parent.send([*ways, f"--clock={clock.path}"])
+    clock.run(parent.poll)
+    clock.close()
     for port in ports:
         port.shutdown()
 
@@ -141,28 +140,27 @@ def way_to(port: can.BusABC) -> str:
     return f"{SOCKETCAN}{port.channel}"
 
 
-def take_priority() -> None:
-    """Drives do not wait for other programs: go before them, where that is permitted."""
-    with suppress(PermissionError):
-        os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(1))
-
-
 class Application:
     """A simulated machine with what belongs to it beside its drives: force sensor and task."""
 
     def __init__(self, world: SimulatedMachine, path: Path) -> None:
-        self.buses, self.period = world.buses, world.period
+        self.buses = world.buses
         self._world, self._path = world, path
         self._telemetry: Telemetry | None = None
         self._begun = False
-        self._cycles = 0
+        self._look_at = 0.0
 
-    def advance(self) -> None:
-        """Let one control cycle pass."""
-        self._world.advance()
-        if self._cycles % LOOKS == 0:
+    @property
+    def time(self) -> float:
+        """Simulated time [s]."""
+        return self._world.time
+
+    def run_until(self, time: float) -> None:
+        """Let simulated time [s] pass; then tell the program forces as they are now."""
+        self._world.run_until(time)
+        if self.time >= self._look_at:
+            self._look_at = self.time + LOOKS * self._world.period
             self._look()
-        self._cycles += 1
         if self._telemetry is not None:
             self._telemetry.push_hand_force(self._world.world.hand_force)
             if self._begun:
@@ -177,15 +175,3 @@ class Application:
             if cycle is not None and cycle["state"] == RUNNING:
                 self._world.begin_task()
                 self._begun = True
-
-
-def running(path: Path) -> Telemetry | None:
-    """The telemetry of a program that runs; None while there is none."""
-    try:
-        telemetry = Telemetry(path)
-    except LiveError:
-        return None
-    if telemetry.ended:
-        telemetry.close()
-        return None
-    return telemetry

@@ -12,10 +12,10 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lab.live import LiveError
+from lab.live import LiveError, NothingYetError
 
 FOLDER = Path("/dev/shm")
-MAGIC, VERSION = b"TBTELEM\0", 1
+MAGIC, VERSION = b"TBTELEM\0", 2
 NAME, TEXT = 32, 320
 ATTEMPTS = 10_000
 """How often a copy is tried again that was written meanwhile; one writing takes about 1 us."""
@@ -32,7 +32,7 @@ COUNTS = np.dtype(
         ("hash", f"S{NAME}"),
         *((name, "<u4") for name in ("dof", "cables", "rails", "drives", "buses", "bins")),
         *((name, "<u4") for name in ("status_at", "status_bytes", "cycles_at", "cycle_bytes")),
-        *((name, "<u4") for name in ("slots", "inbox_at", "inbox_bytes", "pid", "pace")),
+        *((name, "<u4") for name in ("slots", "inbox_at", "inbox_bytes", "pid", "simulated")),
         ("has_rails", "<u4"),
         ("period", "<f8"),
         ("tension_min", "<f8"),
@@ -144,7 +144,8 @@ def layout_of(counts: Record) -> Layout:
 class Telemetry:
     """The shared file of one program.
 
-    Raises LiveError where there is none, or one of another version or layout.
+    Raises NothingYetError where there is none or only its beginning, LiveError for one of another
+    version or layout.
     """
 
     def __init__(self, path: Path) -> None:
@@ -153,9 +154,9 @@ class Telemetry:
         try:
             access = mmap.ACCESS_WRITE if self._writable else mmap.ACCESS_READ
             self._memory = mmap.mmap(self._file, 0, access=access)
-        except ValueError:  # nothing is in it yet
+        except ValueError:
             os.close(self._file)
-            raise foreign(path, "an empty file") from None
+            raise nothing_yet(path) from None
         self.counts = self._counts()
         layout = layout_of(self.counts)
         self._check(layout)
@@ -165,7 +166,10 @@ class Telemetry:
         self._inbox = self._part(layout.inbox, self._at("inbox"))
 
     def _counts(self) -> Record:
-        if len(self._memory) < COUNTS.itemsize or self._memory[: len(MAGIC)] != MAGIC:
+        magic = self._memory[: len(MAGIC)]
+        if magic == bytes(len(MAGIC)):
+            raise nothing_yet(self.path)
+        if len(self._memory) < COUNTS.itemsize or magic != MAGIC:
             raise foreign(self.path, "something else")
         counts: Record = self._part(COUNTS, 0)[0].copy()
         if counts["version"] != VERSION:
@@ -295,20 +299,40 @@ def default_path(machine: str) -> Path:
     return FOLDER / f"turnbuckle-{machine}"
 
 
+def running(path: Path) -> Telemetry | None:
+    """The telemetry of a program that runs; None while there is none.
+
+    Raises LiveError for a file that is no telemetry of ours.
+    """
+    try:
+        telemetry = Telemetry(path)
+    except NothingYetError:
+        return None
+    if telemetry.ended:
+        telemetry.close()
+        return None
+    return telemetry
+
+
 def open_file(path: Path) -> tuple[int, bool]:
     """A descriptor, and whether it may be written to."""
     for flags, writable in ((os.O_RDWR, True), (os.O_RDONLY, False)):
         try:
             return os.open(path, flags | os.O_CLOEXEC), writable
         except FileNotFoundError:
-            raise LiveError(
-                f"{path}: no program has written telemetry here; start one with `turnbuckle run`"
-            ) from None
+            raise nothing_yet(path) from None
         except IsADirectoryError:
             raise foreign(path, "a folder") from None
         except PermissionError:
             continue
     raise LiveError(f"{path}: no permission to read it")
+
+
+def nothing_yet(path: Path) -> NothingYetError:
+    """The file, or all that makes it one, is still to come."""
+    return NothingYetError(
+        f"{path}: no program has written telemetry here; start one with `turnbuckle run`"
+    )
 
 
 def foreign(path: Path, what: str) -> LiveError:
@@ -323,8 +347,10 @@ class Rate(NamedTuple):
     load: float  # share of the bit rate, stuff bits not counted
 
 
-def rates(earlier: Record, later: Record, seconds: float) -> list[Rate]:
-    """What went over every bus between two readings of the status."""
+def rates(earlier: Record, later: Record, period: float) -> list[Rate]:
+    """What went over every bus between two readings of the status; `period` [s] of one cycle."""
+    cycles = sum(int(later[count]) - int(earlier[count]) for count in ("published", "missed"))
+    seconds = max(1, cycles) * period
     found = []
     for before, after in zip(earlier["buses"], later["buses"], strict=True):
         frames, bits = (

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from lab.live.plane import draw_plane, has_plane
 from lab.live.telemetry import Record, Telemetry, rates
-from lab.live.words import BUS_STATES, MODES, POWERS, STATES, TASKS, word
+from lab.live.words import BUS_STATES, MODES, POWERS, SILENCES, STATES, TASKS, word
 from model.machine import Machine
 
 BAR = 20
@@ -24,14 +24,12 @@ US, MM = 1e3, 1e3  # ns in us, mm in m
 
 @dataclass(frozen=True)
 class Reading:
-    """What was read `at` one moment [s]; `before` is the status some `seconds` earlier."""
+    """What was read at one moment; `before` is the status some time earlier."""
 
     ended: bool
     cycle: Record | None
     status: Record
     before: Record
-    at: float
-    seconds: float
 
 
 def show(telemetry: Telemetry, reading: Reading, machine: Machine | None) -> RenderableType:
@@ -40,7 +38,9 @@ def show(telemetry: Telemetry, reading: Reading, machine: Machine | None) -> Ren
     if reading.cycle is not None:
         parts.append(body(telemetry, reading.cycle, machine))
     parts.append(buses(telemetry, reading))
-    parts.append(times(telemetry, reading.status))
+    parts.append(cycles(reading.status))
+    if not telemetry.counts["simulated"]:
+        parts.append(times(telemetry, reading.status))
     return Group(*parts)
 
 
@@ -48,8 +48,8 @@ def headline(telemetry: Telemetry, reading: Reading) -> Text:
     """Machine, state and, where it stopped, why."""
     text = Text(f"{telemetry.machine} {telemetry.hash}", style="bold")
     text.append(f"  program {telemetry.counts['pid']}", style="dim")
-    if telemetry.counts["pace"] > 1:
-        text.append(f"  {telemetry.counts['pace']} times slower than real time", style="dim")
+    if telemetry.counts["simulated"]:
+        text.append("  in simulated time", style="dim")
     if reading.ended:
         text.append("\nthe program has ended: this is its last cycle", style="bold red")
     cycle = reading.cycle
@@ -127,7 +127,7 @@ def drives(telemetry: Telemetry, cycle: Record) -> Table:
 def remarks(drive: Record) -> Iterator[str]:
     """What is unusual about a drive."""
     if drive["silent"]:
-        yield "silent"
+        yield word(SILENCES, int(drive["silent"]))
     if drive["missed"]:
         yield f"{drive['missed']} answers missing"
     if drive["error_code"]:
@@ -150,7 +150,7 @@ def buses(telemetry: Telemetry, reading: Reading) -> Table:
         "malformed",
         "off",
     )
-    each = rates(reading.before, reading.status, reading.seconds)
+    each = rates(reading.before, reading.status, float(telemetry.counts["period"]))
     for name, bus, rate in zip(telemetry.bus_names, reading.status["buses"], each, strict=True):
         table.add_row(
             name,
@@ -163,14 +163,19 @@ def buses(telemetry: Telemetry, reading: Reading) -> Table:
     return table
 
 
-def times(telemetry: Telemetry, status: Record) -> RenderableType:
-    """How well the loop keeps time."""
+def cycles(status: Record) -> Text:
+    """How many there were, and how many there should have been."""
     missed = Text(
         f"{status['published']} cycles, {status['missed']} missed,"
         f" at most {status['longest_gap']} at once"
     )
     if status["missed"]:
         missed.stylize("yellow")
+    return missed
+
+
+def times(telemetry: Telemetry, status: Record) -> RenderableType:
+    """How well the loop keeps time."""
     edges = [*(f"{edge / US:g} us" for edge in telemetry.names["edges"]), "more"]
     table = plain("up to", "wake-up late", "", "computing", "")
     seen = np.flatnonzero(status["lateness"]["bins"] + status["computing"]["bins"])
@@ -181,7 +186,7 @@ def times(telemetry: Telemetry, status: Record) -> RenderableType:
             share = float(histogram["bins"][i]) / max(1, int(histogram["count"]))
             row += [str(histogram["bins"][i]), bar(share)]
         table.add_row(*row)
-    return Group(missed, extremes(status), table)
+    return Group(extremes(status), table)
 
 
 def extremes(status: Record) -> Text:

@@ -32,6 +32,9 @@ MODES = ("none", "torque", "position", "homing")
 TASKS = ("", "reset", "identify", "configure", "start", "switch mode")
 """tb_task, runtime/core/drive.h"""
 
+SILENCES = ("", "silent", "under local control")
+"""tb_silence, runtime/core/drive.h"""
+
 BUS_STATES = ("active", "warning", "passive", "off", "not open")
 """tb_can_state, runtime/can/can.h"""
 

@@ -1,4 +1,4 @@
-"""Compares what has arrived at the drives by a SYNC with what the supervisor ordered since the last."""
+"""Compares what has arrived at the drives by a SYNC with what was ordered since the one before."""
 
 from collections.abc import Sequence
 
@@ -30,7 +30,7 @@ class _Told:
 
 
 class OrderWatch:
-    """Of a machine at work: every order must arrive before the next SYNC of its bus, as it was given.
+    """Of a machine at work: every order must arrive as it was given, by the next SYNC of its bus.
 
     Call it after every cycle. findings: what was wrong, in words; count: how often.
     """

@@ -28,7 +28,7 @@ def _fewer_drives(bus: Load, others: Sequence[Load], common: Timing) -> Iterator
     rate = 1 / (common.cycle * bus.divider)
     for most in range(len(bus.drives) - 1, 0, -1):
         parts = [
-            replace(bus, drives=bus.drives[first : first + most])
+            replace(bus, drives=bus.drives[first : first + most], nodes=() if first else bus.nodes)
             for first in range(0, len(bus.drives), most)
         ]
         if _fits(parts, others, common):

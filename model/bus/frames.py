@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from model.bus.response import Message
-from model.bus.tables import MASTER_NODE, Drive
+from model.bus.tables import ERROR_CONTROL, MASTER_NODE, Drive, OtherNode
 
 # CiA 301 tables 33, 34: COB-IDs, to which a node adds its number.
 SYNC = 0x080
@@ -16,7 +16,7 @@ TPDO = 0x180
 RPDO = 0x200
 SDO_ANSWER = 0x580
 SDO_REQUEST = 0x600
-HEARTBEAT = 0x700
+HEARTBEAT = ERROR_CONTROL
 
 SDO_BYTES = EMERGENCY_BYTES = 8
 # A drive reports an event once; more than this many events are a broken drive [s].
@@ -123,8 +123,27 @@ def acyclic(drives: Sequence[Drive], pace: Pace) -> Iterator[Message]:
     yield Message("master heartbeat", HEARTBEAT + MASTER_NODE, 1, beat, beat)
 
 
-def messages(drives: Sequence[Drive], pace: Pace) -> list[Message]:
+def of_other_nodes(nodes: Sequence[OtherNode], pace: Pace) -> Iterator[Message]:
+    """The frames of nodes that are no drives, as the machine file has them."""
+    for node in nodes:
+        for frame in node.frames:
+            period = pace.bits(frame.period)
+            yield Message(f"{node.name} {frame.id:03X}", frame.id, frame.length, period, period)
+
+
+def beats_of_other_nodes(nodes: Sequence[OtherNode], pace: Pace) -> Iterator[Message]:
+    """Their heartbeats; without one, boot-up messages as often as a drive has emergencies."""
+    for node in nodes:
+        beat = pace.bits(node.heartbeat or pace.emergency)
+        yield Message(f"{node.name} heartbeat", node.error_control, 1, beat, beat)
+
+
+def messages(drives: Sequence[Drive], pace: Pace, nodes: Sequence[OtherNode] = ()) -> list[Message]:
     """All frames, the most urgent first."""
-    return sorted(
-        [*cyclic(drives, pace), *acyclic(drives, pace)], key=lambda message: message.identifier
-    )
+    found = [
+        *cyclic(drives, pace),
+        *acyclic(drives, pace),
+        *of_other_nodes(nodes, pace),
+        *beats_of_other_nodes(nodes, pace),
+    ]
+    return sorted(found, key=lambda message: message.identifier)

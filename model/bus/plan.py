@@ -2,8 +2,9 @@
 
 Two bounds that need each other. Response times hold whatever frames coincide, every emergency and
 SDO included: no frame is overtaken by its successor, so none is lost. The phases of a cycle hold
-while at most one frame that is not of the cycle (heartbeat, SDO, emergency) comes in each phase;
-an answer that is later than its phase counts as missed once, and is bridged.
+while in each phase at most one frame comes that is not of the cycle (heartbeat, SDO, emergency),
+and in the cycle all those of other nodes; an answer that is later than its phase counts as missed
+once, and is bridged.
 """
 
 from __future__ import annotations
@@ -13,9 +14,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from model.bus.frames import ROUNDING, Pace, cyclic, messages
+from model.bus.frames import ROUNDING, Pace, cyclic, messages, of_other_nodes
 from model.bus.response import Message, recovery_bits, response_time, utilisation
-from model.bus.tables import Drive, Supervision
+from model.bus.tables import Drive, OtherNode, Supervision
 
 if TYPE_CHECKING:
     from model.machine import Machine
@@ -29,6 +30,7 @@ class Load:
     bit_rate: float
     divider: int
     drives: tuple[Drive, ...]
+    nodes: tuple[OtherNode, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,7 @@ def loads(machine: Machine) -> list[Load]:
             bus.bit_rate,
             round(machine.control.rate / bus.rate),
             tuple(drive for drive in machine.drives if drive.bus == bus.name),
+            tuple(node for node in machine.nodes if node.bus == bus.name),
         )
         for bus in machine.buses
     ]
@@ -149,12 +152,21 @@ def answers_end(load: Load, common: Timing) -> float:
 
 
 def _sync_end(load: Load, common: Timing) -> float:
-    return _foreign(load, common) + _time(load, common, "SYNC")
+    return _foreign(load, common) + _others(load, common) + _time(load, common, "SYNC")
 
 
 def _foreign(load: Load, common: Timing) -> float:
     """The longest frame that may be on the wire when another one's turn comes [s]."""
-    return max(message.bits for message in messages(load.drives, common.pace(load))) / load.bit_rate
+    found = messages(load.drives, common.pace(load), load.nodes)
+    return max(message.bits for message in found) / load.bit_rate
+
+
+def _others(load: Load, common: Timing) -> float:
+    """Time on the wire of the frames of other nodes from SYNC to SYNC, at most [s]."""
+    pace = common.pace(load)
+    found = of_other_nodes(load.nodes, pace)
+    bits = sum(message.bits * math.ceil(pace.bits(pace.sync) / message.period) for message in found)
+    return bits / load.bit_rate
 
 
 def _time(load: Load, common: Timing, kind: str) -> float:
@@ -165,7 +177,7 @@ def _time(load: Load, common: Timing, kind: str) -> float:
 
 def _plan(load: Load, common: Timing, phase: float) -> BusPlan:
     pace = common.pace(load)
-    found = messages(load.drives, pace)
+    found = messages(load.drives, pace, load.nodes)
     bit = 1 / load.bit_rate
     return BusPlan(
         load,
@@ -192,6 +204,7 @@ def _phases(load: Load, common: Timing, phase: float) -> Phases:
     """Commands leave in the control cycle of their SYNC, answers of a slow bus still under way."""
     answers = answers_end(load, common)
     computed = phase + common.limits.compute_time
-    commands = max(computed, answers) + _foreign(load, common) + _time(load, common, "command")
+    begin = max(computed + _others(load, common), answers)
+    commands = begin + _foreign(load, common) + _time(load, common, "command")
     room = load.divider * common.cycle - commands
     return Phases(_sync_end(load, common), answers, phase, computed, commands, room)

@@ -18,6 +18,8 @@ def table(machine: Machine) -> tuple[list[str], list[list[str]]]:
     rows = [_row(label, plans, cell) for label, cell in _facts()]
     rows.append(["longest response, us (of)"])
     rows += [_row(f"  {kind}", plans, _worst(kind)) for kind in KINDS]
+    if machine.nodes:
+        rows.append(_row("  other nodes", plans, _worst_of_others))
     rows.append(_row("  an error adds", plans, lambda plan: _us(plan.recovery)))
     rows.append(["a cycle, us after SYNC"])
     rows += [_row(f"  {label}", plans, cell) for label, cell in _phases()]
@@ -57,6 +59,13 @@ def _worst(kind: str) -> Cell:
     return cell
 
 
+def _worst_of_others(plan: BusPlan) -> str:
+    sent = {frame.id for node in plan.load.nodes for frame in node.frames}
+    rows = [row for row in plan.rows if row.message.identifier in sent]
+    worst = max(rows, key=lambda row: row.response / row.deadline, default=None)
+    return "-" if worst is None else f"{_us(worst.response)} ({_us(worst.deadline)})"
+
+
 def _of_kind(plan: BusPlan, kind: str) -> list[Row]:
     """The rows of one kind; answers of drives are not those to SDO requests."""
     rows = [row for row in plan.rows if row.message.name.endswith(kind)]
@@ -79,6 +88,7 @@ def _bus(plan: BusPlan) -> dict[str, Any]:
         "bit_rate": plan.load.bit_rate,
         "divider": plan.load.divider,
         "drives": {drive.name: drive.node for drive in plan.load.drives},
+        "nodes": {node.name: node.node for node in plan.load.nodes},
         "load": {"cyclic": plan.cyclic_share, "all": plan.share},
         "error_recovery": plan.recovery,
         "phases": {

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from model.bus.alternatives import alternatives, counted
 from model.bus.axis import Axis, axes, base_drive, drive_names
-from model.bus.plan import BusPlan, loads, plans, timing
-from model.bus.tables import BIT_RATES, MASTER, Rating
+from model.bus.plan import BusPlan, Load, loads, plans, timing
+from model.bus.tables import BIT_RATES, ERROR_CONTROL, MASTER, MASTER_NODE, Rating
 from model.problem import FOUND_NOTHING, Problem, key_path, nearest, problem_at, shown
 
 if TYPE_CHECKING:
@@ -22,6 +22,8 @@ WRITTEN = 1e-5
 MOST_DIVIDER = 255
 LONGEST_HEARTBEAT = 65.535
 MILLISECOND = 1e-3
+# Identifiers that only the master sends: NMT, SYNC, TIME, its heartbeat.
+MASTERS = (0x000, 0x080, 0x100, ERROR_CONTROL + MASTER_NODE)
 
 Found = Iterator[Problem]
 Tables = dict[str, Any]
@@ -31,7 +33,7 @@ def buses_first(machine: Machine, tables: Tables) -> Found:
     """Tables that mean nothing without a bus."""
     if machine.buses:
         return
-    for table in ("drive", "supervision", "calibration"):
+    for table in ("drive", "node", "supervision", "calibration"):
         if table in tables:
             yield Problem(table, "a table", "no such table without a [[bus]]")
 
@@ -87,6 +89,42 @@ def drives_on_buses(machine: Machine, tables: Tables) -> Found:
         if name not in [drive.bus for drive in machine.drives]:
             found = f"{shown(name)}, a bus without drives"
             yield Problem(key_path(("bus", i)), found, "a bus that some [[drive]] names")
+
+
+def other_nodes(machine: Machine, tables: Tables) -> Found:
+    """Other nodes are on a bus of the file, with names and numbers of their own."""
+    buses = [bus.name for bus in machine.buses]
+    drives = [(drive.name, drive.bus, drive.node) for drive in machine.drives]
+    others = [(node.name, node.bus, node.node) for node in machine.nodes]
+    for i, (name, bus, number) in enumerate(others):
+        before = [*drives, *others[:i]]
+        if bus not in buses:
+            allowed = f"the buses {', '.join(buses)}{nearest(bus, buses)}"
+            yield problem_at(tables, ("node", i, "bus"), allowed)
+        if name in [MASTER, *(other[0] for other in before)]:
+            allowed = f"a name that no drive and no other node has, nor {MASTER}"
+            yield problem_at(tables, ("node", i, "name"), allowed)
+        taken = [other[0] for other in before if other[1:] == (bus, number)]
+        if taken:
+            allowed = f"a number that nobody has on bus {bus}; {taken[0]} has this one"
+            yield problem_at(tables, ("node", i, "node"), allowed)
+
+
+def frames_of_other_nodes(machine: Machine, tables: Tables) -> Found:
+    """An identifier on a bus is sent by one node only: not by the master, a drive, another node."""
+    taken = {
+        (drive.bus, function | drive.node): drive.name
+        for drive in machine.drives
+        for function in range(0x080, 0x780, 0x080)
+    }
+    taken |= {(node.bus, node.error_control): node.name for node in machine.nodes}
+    for i, node in enumerate(machine.nodes):
+        for j, frame in enumerate(node.frames):
+            owner = MASTER if frame.id in MASTERS else taken.get((node.bus, frame.id))
+            if owner is not None:
+                allowed = f"an identifier that nobody has on bus {node.bus}; {owner} has this one"
+                yield problem_at(tables, ("node", i, "frames", j, "id"), allowed)
+            taken[node.bus, frame.id] = node.name
 
 
 def drives_of_the_machine(machine: Machine, tables: Tables) -> Found:
@@ -233,11 +271,15 @@ def schedulable(machine: Machine, tables: Tables) -> Found:
             yield Problem(key_path(("bus", i)), _in_words(plan), allowed)
 
 
+def _others(load: Load) -> str:
+    return f" and {', '.join(node.name for node in load.nodes)}" if load.nodes else ""
+
+
 def _in_words(plan: BusPlan) -> str:
     """What is too much for a bus."""
     load, phases = plan.load, plan.phases
     text = (
-        f"{shown(load.name)} with {counted(load.drives)}, too much for"
+        f"{shown(load.name)} with {counted(load.drives)}{_others(load)}, too much for"
         f" {load.bit_rate / 1e3:g} kbit/s: SYNC and PDOs take {plan.cyclic_share:.1%} of its time,"
         f" all frames {plan.share:.1%}"
     )

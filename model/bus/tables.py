@@ -26,6 +26,8 @@ from model.words import Identifier
 #: Bit rates of CiA 301 [bit/s].
 BIT_RATES = (10e3, 20e3, 50e3, 125e3, 250e3, 500e3, 800e3, 1e6)
 MASTER = "master"
+#: CiA 301 table 34: boot-up message and heartbeat; a node adds its number.
+ERROR_CONTROL = 0x700
 MOST_NODE = 126
 MASTER_NODE = 127
 #: Sweep of bases where the file does not say [m].
@@ -34,6 +36,8 @@ Node = Annotated[int, Whole("a node number", 1, MOST_NODE)]
 Unsigned32 = Annotated[int, Whole("an unsigned number of 32 bits", 0, 0xFFFF_FFFF)]
 Counts = Annotated[int, Whole("counts of an encoder", 4, 4_000_000)]
 Samples = Annotated[int, Whole("a number of measurements", 4, 200)]
+Identifier11 = Annotated[int, Whole("an identifier of 11 bits", 1, 0x7FF)]
+Bytes = Annotated[int, Whole("the bytes of a CAN frame", 0, 8)]
 Cycles = Annotated[int, Whole("a number of cycles", 0, 250)]
 
 
@@ -67,6 +71,41 @@ class Drive(Table):
         "torque",
         description="torque (CST), or for bases position (CSP): what it follows at work",
     )
+
+
+class NodeFrame(Table):
+    """A frame that a node other than a drive sends."""
+
+    id: Identifier11 = Field(description="its identifier (COB-ID)")
+    length: Bytes = Field(description="bytes of data, at most")
+    period: Duration = Field(description="least time between two of them [s]")
+
+
+class OtherNode(Table):
+    """A node that is on a bus beside the drives. The machine does not listen to it.
+
+    Beside its frames it may send a boot-up message and heartbeats.
+    """
+
+    name: Identifier = Field(description="name of the node, for the DBC")
+    bus: Identifier = Field(description="name of the bus it is on")
+    node: Node = Field(description="its number on the bus")
+    heartbeat: Duration | None = Field(
+        None, description="between its heartbeats (1017); none without this key [s]"
+    )
+    frames: tuple[NodeFrame, ...] = Field(
+        (), description="what else it sends, emergencies included"
+    )
+
+    @property
+    def error_control(self) -> int:
+        """Identifier of its boot-up message and heartbeats."""
+        return ERROR_CONTROL + self.node
+
+    @property
+    def identifiers(self) -> tuple[int, ...]:
+        """Of all that it may send."""
+        return self.error_control, *(frame.id for frame in self.frames)
 
 
 class Rating(Table):
@@ -105,7 +144,8 @@ class Calibration(Table):
     travel: Length | None = Field(
         None,
         description="sweep of each base to either side of the middle of its rail [m];"
-        " 100 mm by default, or half of the shortest rail if that is less",
+        " 100 mm by default, or half of the shortest rail if that is less; without rails a fifth of"
+        " it makes another pose",
     )
 
     def travel_on(self, shortest: float) -> float:

@@ -40,7 +40,7 @@ typedef struct {
 /** What a port answers. */
 typedef enum {
     TB_CAN_OK = 0,
-    TB_CAN_EMPTY,         /* receive: no frame is waiting */
+    TB_CAN_EMPTY,         /* receive: no frame is waiting; open: it is under way */
     TB_CAN_FULL,          /* send: no room (ENOBUFS), or the bus is off; the frame is gone, and
                              counted */
     TB_CAN_CLOSED,        /* not open, or the device has gone */

@@ -15,14 +15,24 @@
 
 #define TB_SLCAN_READ_AT_ONCE 1024u /* bytes: one system call reads dozens of frames */
 
+/** How far opening is. */
+typedef struct {
+    uint8_t step;   /* what is being said to the adapter */
+    bool said;      /* it was said: the answer is due */
+    char rate;      /* digit of the bit rate's command */
+    int64_t until;  /* ms, when this step has had its time */
+    int64_t silent; /* ms, when the line has been silent for long enough */
+} tb_slcan_opening;
+
 /** An adapter. */
 typedef struct {
     tb_can_port port;
     tb_can_state state;
-    int device;   /* file descriptor; below 0: closed */
+    int device;   /* file descriptor of the serial line; below 0: closed */
     bool answers; /* the adapter acknowledged commands. Many do not: then a missing adapter
                      cannot be told from a silent bus */
     bool asked;   /* the adapter's status is on its way */
+    tb_slcan_opening opening;
     tb_slcan_reader reader;
     uint16_t next; /* first byte of `bytes` that is not yet read */
     uint16_t end;
@@ -37,5 +47,10 @@ typedef struct {
  *  serial line), TB_CAN_BIT_RATE, TB_CAN_REFUSED (the adapter does not open its bus) or TB_CAN_CLOSED
  *  (it went away meanwhile). */
 tb_can_result tb_slcan_open(tb_slcan *slcan, const char *path, uint32_t bit_rate);
+
+/** The same without waiting: begin, then proceed again and again. TB_CAN_EMPTY: it is under way;
+ *  TB_CAN_OK: it is open; else why not, and it is closed. Two seconds at most, however often. */
+tb_can_result tb_slcan_begin(tb_slcan *slcan, const char *path, uint32_t bit_rate);
+tb_can_result tb_slcan_proceed(tb_slcan *slcan);
 
 #endif

@@ -1,11 +1,13 @@
 #include "slcan_text.h"
 
 #define END_OF_LINE '\r'
+#define LINE_FEED '\n'
 #define FAILURE '\a'
 #define STANDARD_DIGITS 3u
 #define EXTENDED_DIGITS 8u
 #define STAMP_DIGITS 4u
 #define MOST_CLASSIC_CODE 8u
+#define TOLD_AGAIN 16384u /* characters of a line that does not end: 1.4 s at 115200 baud */
 
 /* Which letter stands for which flags. */
 typedef struct {
@@ -154,12 +156,24 @@ static tb_slcan_item read_status(tb_slcan_rest *rest, uint8_t *status)
     return TB_SLCAN_STATUS;
 }
 
+/* A command that opens, asks or closes: adapters hear it, and say it only where they repeat all. */
+static bool is_command(const char *line, uint8_t length)
+{
+    if (length == 1u) {
+        return (line[0] == 'O') || (line[0] == 'C') || (line[0] == 'F');
+    }
+    return (length == 2u) && (line[0] == 'S') && (line[1] >= '0') && (line[1] <= '8');
+}
+
 static tb_slcan_item read_line(tb_slcan_reader *reader, uint8_t length, tb_can_frame *frame)
 {
     tb_slcan_rest rest = {reader->line, reader->line + length, true};
     uint8_t flags = 0;
     if (length == 0) {
         return TB_SLCAN_DONE;
+    }
+    if (is_command(reader->line, length)) {
+        return TB_SLCAN_ECHO;
     }
     char const letter = *rest.next;
     rest.next++;
@@ -177,24 +191,43 @@ void tb_slcan_start(tb_slcan_reader *reader)
 {
     reader->length = 0;
     reader->status = 0;
+    reader->skipped = 0;
 }
 
-tb_slcan_item tb_slcan_read(tb_slcan_reader *reader, char character, tb_can_frame *frame)
+/* A line that is too long is told of at once: it may have no end. Then again now and then. */
+static tb_slcan_item keep(tb_slcan_reader *reader, char character)
 {
-    uint8_t const length = reader->length;
-    if ((character != END_OF_LINE) && (character != FAILURE)) {
-        if (length < TB_SLCAN_LONGEST_LINE) {
-            reader->line[length] = character;
-            reader->length++;
-        }
+    if (reader->length < TB_SLCAN_LONGEST_LINE) {
+        reader->line[reader->length] = character;
+        reader->length++;
         return TB_SLCAN_NOTHING;
     }
+    bool const is_due = (reader->skipped == 0) || (reader->skipped == TOLD_AGAIN);
+    reader->skipped = is_due ? 1u : (uint16_t)(reader->skipped + 1u);
+    return is_due ? TB_SLCAN_MALFORMED : TB_SLCAN_NOTHING;
+}
+
+static tb_slcan_item end_line(tb_slcan_reader *reader, char end, tb_can_frame *frame)
+{
+    uint8_t const length = reader->length;
+    bool const is_told = reader->skipped != 0;
     reader->length = 0;
-    if (length == TB_SLCAN_LONGEST_LINE) {
-        return TB_SLCAN_MALFORMED;
+    reader->skipped = 0;
+    if (is_told) {
+        return TB_SLCAN_NOTHING;
     }
-    if (character == FAILURE) {
+    if (end == FAILURE) {
         return (length == 0) ? TB_SLCAN_FAILED : TB_SLCAN_MALFORMED;
     }
     return read_line(reader, length, frame);
+}
+
+/* A line feed after nothing belongs to the end of the line before, which has been read. */
+tb_slcan_item tb_slcan_read(tb_slcan_reader *reader, char character, tb_can_frame *frame)
+{
+    if (character == LINE_FEED) {
+        return (reader->length == 0) ? TB_SLCAN_NOTHING : end_line(reader, character, frame);
+    }
+    bool const ends = (character == END_OF_LINE) || (character == FAILURE);
+    return ends ? end_line(reader, character, frame) : keep(reader, character);
 }

@@ -1,13 +1,14 @@
 /* Frames as lines of ASCII: the slcan dialect of adapters on a serial line.
  *
  * A line is a letter, the identifier (3 hexadecimal digits, 8 when extended), the data length code
- * (1 digit) and the data (2 digits a byte), then a carriage return:
+ * (1 digit) and the data (2 digits a byte), then a carriage return. What is read may also end with
+ * a line feed, or with both; digits are read in either case:
  *   t T  classic frame, extended        r R  remote frame, extended; no data
  *   d D  CAN FD frame, extended         b B  the same, with bit rate switch
  * A received line may end with a time stamp of 4 digits, which is not used. Adapters answer a
  * command with an empty line, `z` or `Z` when done, with BEL in place of the carriage return when
- * not, and `F` with two digits of status. Dialect of Lawicel's CAN232 and CANUSB; FD as in the
- * firmware of CANable 2 and in python-can.
+ * not, and `F` with two digits of status; some answer nothing, some repeat what they were told.
+ * Dialect of Lawicel's CAN232 and CANUSB; FD as in the firmware of CANable 2 and in python-can.
  *
  * No operating system, no heap: also for a serial line of a microcontroller. */
 #ifndef TB_SLCAN_TEXT_H
@@ -33,14 +34,16 @@ typedef enum {
     TB_SLCAN_DONE,        /* the adapter has done what it was told */
     TB_SLCAN_FAILED,      /* the adapter has not */
     TB_SLCAN_STATUS,      /* the adapter's status */
-    TB_SLCAN_MALFORMED    /* a line that is none of these */
+    TB_SLCAN_ECHO,        /* a command that the adapter repeats: no answer to it */
+    TB_SLCAN_MALFORMED    /* a line that is none of these, or is too long */
 } tb_slcan_item;
 
 /** Reads lines, however they are cut into pieces. */
 typedef struct {
     char line[TB_SLCAN_LONGEST_LINE]; /* characters of the line that has begun */
-    uint8_t length;                   /* how many; as many as have room: the line is too long */
+    uint8_t length;                   /* how many */
     uint8_t status;                   /* sum of TB_SLCAN_... bits, of the last status read */
+    uint16_t skipped;                 /* characters for which there was no room */
 } tb_slcan_reader;
 
 /** Write a frame as a line. line: not terminated by 0.

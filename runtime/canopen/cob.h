@@ -27,6 +27,7 @@
 #define TB_COB_LARGEST 0x7FFu
 #define TB_COB_FUNCTION_MASK 0x780u
 #define TB_COB_NODE_MASK 0x07Fu
+#define TB_COB_NODE_BITS 7u
 
 #define TB_MASTER_NODE 127u /* whose heartbeat the drives watch: object 1016h */
 

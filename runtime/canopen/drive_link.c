@@ -2,6 +2,7 @@
 
 #include "cia402.h"
 #include "cob.h"
+#include "little_endian.h"
 
 /* A command acts at the next SYNC and shows after the one after that; one more may get lost. Until
  * then the homing bits are of the run before. */
@@ -38,6 +39,20 @@ static void count_status(tb_drive_link *link, bool in_time)
     link->missed = 0;
 }
 
+/* From where the drive's position is counted. */
+static void take_origin(tb_drive_link *link)
+{
+    if (link->setup.mode == TB_MODE_HOMING) {
+        link->counts = TB_COUNTING_FROM_HOME;
+        link->origin = 0;
+    } else if (link->counts == TB_COUNTING_UNKNOWN) {
+        link->counts = TB_COUNTING_FROM_FIRST;
+        link->origin = link->status.position;
+    } else {
+        /* it stays where it is */
+    }
+}
+
 /* Before it is started a drive has nothing to say by PDO: what comes is of an earlier life. */
 static bool take_status(tb_drive_link *link, const tb_can_frame *frame, bool in_time)
 {
@@ -48,6 +63,7 @@ static bool take_status(tb_drive_link *link, const tb_can_frame *frame, bool in_
         return false;
     }
     link->power = (uint8_t)tb_cia402_power(link->status.statusword);
+    take_origin(link);
     count_status(link, in_time);
     return true;
 }
@@ -99,6 +115,8 @@ static void count_missed(tb_drive_link *link)
 static void forget_status(tb_drive_link *link)
 {
     link->power = TB_POWER_UNKNOWN;
+    link->counts = TB_COUNTING_UNKNOWN;
+    link->origin = 0;
     link->controlword = 0;
     link->missed = 0;
     link->late = 0;
@@ -115,6 +133,31 @@ static bool follows_bus(const tb_drive_link *link)
     return (link->setup.operational == 0) || ((link->status.statusword & TB_STATUS_REMOTE) != 0);
 }
 
+static tb_silence silence(const tb_drive_link *link)
+{
+    if (!is_heard(link)) {
+        return TB_SILENCE_UNHEARD;
+    }
+    return follows_bus(link) ? TB_SILENCE_NONE : TB_SILENCE_LOCAL;
+}
+
+/* Sum and difference of counts modulo 2^32. */
+static int32_t add_counts(int32_t count, int32_t more)
+{
+    return tb_signed_32((uint32_t)count + (uint32_t)more);
+}
+
+static int32_t subtract_counts(int32_t count, int32_t less)
+{
+    return tb_signed_32((uint32_t)count - (uint32_t)less);
+}
+
+static real_t position(const tb_drive_link *link)
+{
+    int32_t const distance = subtract_counts(link->status.position, link->origin);
+    return (real_t)distance * link->drive->metres_per_increment;
+}
+
 static tb_homing homing(const tb_drive_link *link)
 {
     if (link->homing_syncs == 0) {
@@ -127,7 +170,7 @@ static tb_homing homing(const tb_drive_link *link)
 
 static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_report *report)
 {
-    report->position = (real_t)link->status.position * link->drive->metres_per_increment;
+    report->position = position(link);
     report->torque = (real_t)link->status.torque * link->drive->torque_per_permille;
     report->statusword = link->status.statusword;
     report->error_code = link->emergency.code;
@@ -138,7 +181,7 @@ static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_repor
     report->age = age;
     report->missed = link->missed;
     report->late = link->late;
-    report->silent = (is_heard(link) && follows_bus(link)) ? 0 : 1;
+    report->silent = (uint8_t)silence(link);
 }
 
 static void report_task(const tb_setup *setup, tb_drive_report *report)
@@ -199,7 +242,7 @@ static int32_t increments(const tb_drive_link *link, const tb_drive_order *order
     real_t const wanted = order->position * link->drive->increments_per_metre;
     real_t const limit = TB_C(2147483520.0); /* the largest int32_t that is a float */
     bool const moves = follows(link, order, TB_MODE_POSITION) && is_number(wanted);
-    return moves ? towards_zero(wanted, limit) : link->status.position;
+    return moves ? add_counts(link->origin, towards_zero(wanted, limit)) : link->status.position;
 }
 
 bool tb_drive_link_setpoint(tb_drive_link *link, const tb_drive_order *order, tb_can_frame *frame)

@@ -1,4 +1,8 @@
-/* The connection to one drive: its messages in, its setpoints and set-up messages out. */
+/* The connection to one drive: its messages in, its setpoints and set-up messages out.
+ *
+ * A drive counts modulo 2^32, from wherever it stood at power-on. Its position is the difference from
+ * its first count in service, so that no start value and no number of turns costs digits or jumps. A
+ * drive that homes knows where it is: from its homing mode on its own count, signed, is its position. */
 #ifndef TB_DRIVE_LINK_H
 #define TB_DRIVE_LINK_H
 
@@ -12,6 +16,13 @@
 #include "pdo.h"
 #include "setup.h"
 
+/** From where a drive's position is counted. */
+typedef enum {
+    TB_COUNTING_UNKNOWN = 0, /* it has not told a position in service yet */
+    TB_COUNTING_FROM_FIRST,  /* from where it was first seen */
+    TB_COUNTING_FROM_HOME    /* from the zero of its homing */
+} tb_counting;
+
 /** One drive on its bus. */
 typedef struct {
     const tb_drive_table *drive;
@@ -20,8 +31,10 @@ typedef struct {
     tb_emcy emergency;
     tb_pdo_status status;   /* of its last status message */
     uint32_t duplicates;    /* status messages beyond one a SYNC; the last one counts */
+    int32_t origin;         /* increments at which its position is zero */
     uint16_t controlword;   /* sent last */
     uint8_t power;          /* tb_power of the last status message */
+    uint8_t counts;         /* tb_counting: where its origin is from */
     uint8_t answered;       /* 1: a status message came since the last SYNC, late or not */
     uint8_t fresh;          /* 1: one came in time since the last report */
     uint8_t missed;         /* SYNCs in a row without an answer */

@@ -9,6 +9,8 @@
 
 /* More than a bus carries in two cycles: a flood of frames cannot hold the loop. */
 #define MOST_FRAMES_AT_ONCE 64u
+/* More than a port keeps from before the start. */
+#define MOST_OLD_FRAMES 1024u
 
 static const tb_bus fresh_bus;
 
@@ -17,12 +19,24 @@ static void count_up(uint8_t *count)
     *count = (*count < UINT8_MAX) ? (uint8_t)(*count + 1u) : *count;
 }
 
+/* What has come until now is an older story. A port that reads nothing but malformed text answers
+ * TB_CAN_EMPTY although more may wait. */
+static void take_over(tb_bus *bus, tb_can_port *port)
+{
+    tb_can_frame old;
+    *bus = fresh_bus;
+    bus->port = port;
+    for (size_t i = 0; i < MOST_OLD_FRAMES; i++) {
+        (void)tb_can_receive(port, &old);
+    }
+    bus->unreadable = port->statistics.malformed;
+}
+
 void tb_network_start(tb_network *network, tb_can_port *const ports[TB_BUSES])
 {
     network->cycle = 0;
     for (size_t i = 0; i < TB_BUSES; i++) {
-        network->buses[i] = fresh_bus;
-        network->buses[i].port = ports[i];
+        take_over(&network->buses[i], ports[i]);
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
         tb_drive_link_start(&network->links[i], &tb_drives[i]);
@@ -39,19 +53,22 @@ static bool is_usable(const tb_bus *bus)
 
 static void send(tb_bus *bus, const tb_can_frame *frame)
 {
-    if (tb_can_send(bus->port, frame) != TB_CAN_OK) {
+    if (tb_can_send(bus->port, frame) == TB_CAN_OK) {
+        tb_echo_keep(&bus->echo, frame);
+    } else {
         count_up(&bus->refused);
     }
 }
 
 /* ---- Receiving ---- */
 
-/* What only a master says. Whoever else says it is taken for the node that a master is. */
+/* What only a master says. */
 static bool is_from_a_master(uint32_t id)
 {
     static const uint32_t functions[] = {TB_COB_RPDO1, TB_COB_RPDO2, TB_COB_RPDO3, TB_COB_RPDO4,
                                          TB_COB_SDO_REQUEST};
-    bool found = (id == TB_COB_NMT) || (id == TB_COB_SYNC) || (id == TB_COB_TIME);
+    bool found = (id == TB_COB_NMT) || (id == TB_COB_SYNC) || (id == TB_COB_TIME) ||
+                 (id == (TB_COB_ERROR_CONTROL + TB_MASTER_NODE));
     for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
         found = found || ((id & TB_COB_FUNCTION_MASK) == functions[i]);
     }
@@ -80,9 +97,27 @@ static tb_drive_link *find_link(tb_network *network, size_t bus, uint32_t node)
     return NULL;
 }
 
-static void name_stranger(tb_bus *bus, uint32_t node)
+/* A frame that another node of the machine file may send. */
+static bool is_from_another_node(size_t bus, uint32_t id)
 {
-    bus->stranger = (bus->stranger == 0) ? (uint8_t)node : bus->stranger;
+    for (size_t i = 0; i < TB_NODE_FRAMES; i++) {
+        if ((tb_node_frames[i].bus == bus) && (tb_node_frames[i].id == id)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void name_stranger(tb_bus *bus, uint32_t who)
+{
+    bus->stranger = (bus->stranger == 0) ? (uint8_t)who : bus->stranger;
+}
+
+static void name_other_master(tb_bus *bus, const tb_can_frame *frame)
+{
+    if (!tb_echo_take(&bus->echo, frame)) {
+        name_stranger(bus, TB_STRANGER_MASTER | (frame->id >> TB_COB_NODE_BITS));
+    }
 }
 
 static void route(tb_network *network, size_t index, const tb_can_frame *frame, bool in_time)
@@ -92,8 +127,10 @@ static void route(tb_network *network, size_t index, const tb_can_frame *frame, 
     tb_drive_link *const link = find_link(network, index, node);
     if ((frame->flags != 0) || (frame->id > TB_COB_LARGEST)) {
         count_up(&bus->malformed);
+    } else if (is_from_another_node(index, frame->id)) {
+        /* none of the machine's business */
     } else if (is_from_a_master(frame->id)) {
-        name_stranger(bus, TB_MASTER_NODE);
+        name_other_master(bus, frame);
     } else if (!is_from_a_drive(frame->id)) {
         count_up(&bus->malformed);
     } else if (link == NULL) {
@@ -159,8 +196,19 @@ _Static_assert((TB_BUS_LOST == TB_CAN_BUS_OFF) && (TB_BUS_LOST < TB_CAN_NOT_OPEN
                    (TB_BUS_LOST > TB_CAN_ERROR_PASSIVE),
                "the supervisor knows in which states a bus carries no frames");
 
+/* What arrived and was no frame: only the port has seen it. */
+static void count_unreadable(tb_bus *bus)
+{
+    uint32_t const until_now = bus->port->statistics.malformed;
+    for (uint32_t i = bus->unreadable; (i < until_now) && (bus->malformed < UINT8_MAX); i++) {
+        count_up(&bus->malformed);
+    }
+    bus->unreadable = until_now;
+}
+
 static void report_bus(tb_bus *bus, tb_bus_report *report)
 {
+    count_unreadable(bus);
     report->state = (uint8_t)tb_can_port_state(bus->port);
     report->refused = bus->refused;
     report->stranger = bus->stranger;

@@ -151,6 +151,19 @@ static bool awaits_answer(const tb_sdo_client *client)
     return (client->result == TB_SDO_BUSY) && (client->to_send == 0);
 }
 
+static void count_up(uint8_t *count)
+{
+    *count = (*count < UINT8_MAX) ? (uint8_t)(*count + 1u) : *count;
+}
+
+/* The answer to what is out now may still come. */
+static void note_owed(tb_sdo_client *client)
+{
+    if (awaits_answer(client)) {
+        count_up(&client->owed);
+    }
+}
+
 static void give_up(tb_sdo_client *client, tb_sdo_result result, uint32_t code)
 {
     client->result = (uint8_t)result;
@@ -161,7 +174,7 @@ static void give_up(tb_sdo_client *client, tb_sdo_result result, uint32_t code)
 void tb_sdo_cancel(tb_sdo_client *client)
 {
     if (awaits_answer(client)) {
-        client->owed = 1;
+        note_owed(client);
         give_up(client, TB_SDO_IDLE, TB_SDO_ABORT_GENERAL);
     }
     client->result = TB_SDO_IDLE;
@@ -174,7 +187,7 @@ void tb_sdo_tick(tb_sdo_client *client)
     }
     client->waited++;
     if (client->waited > client->timeout) {
-        client->owed = awaits_answer(client) ? 1 : client->owed;
+        note_owed(client);
         give_up(client, TB_SDO_SILENT, TB_SDO_ABORT_TIMEOUT);
     }
 }
@@ -215,8 +228,8 @@ static void take_download_segment(tb_sdo_client *client, const uint8_t data[])
 
 static void take_expedited(tb_sdo_client *client, const uint8_t data[])
 {
-    bool const sized = (data[0] & SIZE_INDICATED) != 0;
-    uint32_t const unused = sized ? ((data[0] >> 2) & 3u) : 0u;
+    client->sized = data[0] & SIZE_INDICATED;
+    uint32_t const unused = (client->sized != 0) ? ((data[0] >> 2) & 3u) : 0u;
     uint32_t const count = EXPEDITED_MOST - unused;
     if (count > client->room) {
         give_up(client, TB_SDO_BROKEN, TB_SDO_ABORT_MEMORY);
@@ -242,6 +255,16 @@ static void take_upload(tb_sdo_client *client, const uint8_t data[])
     }
 }
 
+/* Bytes of a segment. The last one need not tell them where the server said how many there are. */
+static uint32_t count_segment(const tb_sdo_client *client, const uint8_t data[])
+{
+    uint32_t const unused = (data[0] >> 1) & 7u;
+    uint32_t const left = client->size - client->done;
+    bool const is_last = (data[0] & LAST_SEGMENT) != 0;
+    bool const is_untold = is_last && (unused == 0) && (client->sized != 0) && (left > 0);
+    return is_untold ? smaller(left, SEGMENT_MOST) : (SEGMENT_MOST - unused);
+}
+
 /* What is wrong with a segment of an upload; 0 for nothing. */
 static uint32_t refuse_segment(const tb_sdo_client *client, const uint8_t data[], uint32_t count)
 {
@@ -262,7 +285,7 @@ static uint32_t refuse_segment(const tb_sdo_client *client, const uint8_t data[]
 
 static void take_upload_segment(tb_sdo_client *client, const uint8_t data[])
 {
-    uint32_t const count = SEGMENT_MOST - ((data[0] >> 1) & 7u);
+    uint32_t const count = count_segment(client, data);
     uint32_t const wrong = refuse_segment(client, data, count);
     if (wrong != 0) {
         give_up(client, TB_SDO_BROKEN, wrong);
@@ -272,6 +295,7 @@ static void take_upload_segment(tb_sdo_client *client, const uint8_t data[])
     client->done += count;
     client->toggle ^= TOGGLE;
     if ((data[0] & LAST_SEGMENT) != 0) {
+        client->sized = (count < SEGMENT_MOST) ? 1 : client->sized;
         client->result = TB_SDO_DONE;
     } else {
         request_next(client, UPLOAD_SEGMENT);
@@ -335,11 +359,9 @@ static bool is_repeated(const tb_sdo_client *client, const uint8_t data[])
 static void take_unasked(tb_sdo_client *client)
 {
     if (client->owed != 0) {
-        client->owed = 0;
-    } else if (client->extra < UINT8_MAX) {
-        client->extra++;
+        client->owed--;
     } else {
-        /* it is known well enough */
+        count_up(&client->extra);
     }
 }
 

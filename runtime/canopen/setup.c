@@ -5,7 +5,8 @@
 #include "cia402.h"
 #include "little_endian.h"
 
-#define SETTLE_CYCLES 50u /* a second drive with the same number boots within them */
+/* A drive that starts twice boots again within these; so does a second one with its number. */
+#define SETTLE_CYCLES 50u
 
 static const tb_setup unknown;
 
@@ -75,6 +76,21 @@ static void write_object(tb_setup *setup, const tb_object *object)
     tb_sdo_download(&setup->sdo, object->index, object->subindex, setup->value, object->size);
 }
 
+/* The request that was not answered, once more: what was written may be written again. */
+static bool repeat(tb_setup *setup, const tb_object *object)
+{
+    if (setup->repeats == TB_MOST_REPEATS) {
+        return false;
+    }
+    setup->repeats++;
+    if (setup->reads != 0) {
+        read_object(setup, object);
+    } else {
+        write_object(setup, object);
+    }
+    return true;
+}
+
 static void begin_object(tb_setup *setup)
 {
     if (setup->entry == count_of(setup)) {
@@ -90,14 +106,44 @@ static void begin_object(tb_setup *setup)
     }
 }
 
-/* Of the bytes that were read; the rest of value is from another transfer. */
-static uint32_t found_value(const tb_setup *setup)
+/* ---- What an object holds ---- */
+
+/* Of the first bytes that were read, four at most; the rest of value is from another transfer. */
+static uint32_t value_of(const tb_setup *setup, uint32_t count)
 {
     uint8_t bytes[4] = {0};
-    for (size_t i = 0; (i < sizeof bytes) && (i < setup->sdo.done); i++) {
+    for (size_t i = 0; (i < sizeof bytes) && (i < count); i++) {
         bytes[i] = setup->value[i];
     }
     return tb_get_u32(bytes);
+}
+
+/* Whether the bytes beyond the object's own say nothing: undefined ones, where the drive did not
+ * say how many there are, or zeros, or the sign of the value. */
+static bool is_padded(const tb_setup *setup, const tb_object *object)
+{
+    bool const is_negative = (setup->value[object->size - 1u] & 0x80u) != 0;
+    bool zeros = true;
+    bool signs = is_negative;
+    for (size_t i = object->size; i < setup->sdo.done; i++) {
+        zeros = zeros && (setup->value[i] == 0x00u);
+        signs = signs && (setup->value[i] == 0xFFu);
+    }
+    return (setup->sdo.sized == 0) || zeros || signs;
+}
+
+/* How an object that was read differs from what it must hold, and in what. */
+static tb_failure examine(const tb_setup *setup, const tb_object *object, uint32_t *detail)
+{
+    uint32_t const count = setup->sdo.done;
+    bool const is_whole = count >= object->size;
+    bool const is_padding = is_whole && is_padded(setup, object);
+    if (!is_whole || ((count > sizeof object->value) && !is_padding)) {
+        *detail = count;
+        return TB_FAILURE_SIZE;
+    }
+    *detail = value_of(setup, is_padding ? object->size : count);
+    return (*detail == object->value) ? TB_FAILURE_NONE : TB_FAILURE_DIFFERENT;
 }
 
 /* A drive may show a new mode a little after it took it. */
@@ -108,14 +154,15 @@ static bool may_change(const tb_setup *setup)
 
 static void compare(tb_setup *setup, const tb_object *object)
 {
-    uint32_t const found = found_value(setup);
-    if ((setup->sdo.done == object->size) && (found == object->value)) {
+    uint32_t detail;
+    tb_failure const failure = examine(setup, object, &detail);
+    if (failure == TB_FAILURE_NONE) {
         setup->entry++;
         begin_object(setup);
     } else if (may_change(setup)) {
         read_object(setup, object);
     } else {
-        fail_at(setup, object, TB_FAILURE_DIFFERENT, found);
+        fail_at(setup, object, failure, detail);
     }
 }
 
@@ -140,7 +187,9 @@ static void advance_objects(tb_setup *setup)
         fail_at(setup, object, TB_FAILURE_ABORT, setup->sdo.code);
         break;
     case TB_SDO_SILENT:
-        fail_at(setup, object, TB_FAILURE_SILENT, 0);
+        if (!repeat(setup, object)) {
+            fail_at(setup, object, TB_FAILURE_SILENT, 0);
+        }
         break;
     default:
         break; /* under way */
@@ -154,17 +203,20 @@ static bool is_overdue(const tb_setup *setup)
     return setup->waited > (uint32_t)TB_STATE_TIMEOUT;
 }
 
-static void advance_reset(tb_setup *setup, const tb_heartbeat *heartbeat)
+/* A drive may boot late, and once more after that; but not again and again. */
+static void advance_reset(tb_setup *setup, const tb_heartbeat *heartbeat, bool restarted)
 {
     bool const booted = (setup->commanded != 0) && (heartbeat->boots > 0);
-    setup->settled += booted ? 1 : 0;
+    setup->settled = (restarted ? 0 : setup->settled) + (booted ? 1u : 0u);
     if (setup->settled > SETTLE_CYCLES) {
         clear_sdo(setup);
         finish(setup);
     } else if (!booted && is_overdue(setup)) {
         fail(setup, TB_FAILURE_SILENT, 0);
+    } else if (setup->waited > (2u * (uint32_t)TB_STATE_TIMEOUT)) {
+        fail(setup, TB_FAILURE_RESTARTED, 0);
     } else {
-        /* it may still boot, and so may a second drive */
+        /* it may still boot */
     }
 }
 
@@ -229,6 +281,7 @@ static void begin(tb_setup *setup)
     setup->waited = 0;
     setup->settled = 0;
     setup->commanded = 0;
+    setup->repeats = 0;
     if (setup->task == TB_TASK_NONE) {
         setup->progress = TB_TASK_IDLE;
     } else if (setup->task == TB_TASK_RESET) {
@@ -269,27 +322,41 @@ bool tb_setup_frame(tb_setup *setup, tb_heartbeat *heartbeat, tb_can_frame *fram
     return tb_sdo_frame(&setup->sdo, frame);
 }
 
-/* More answers or boot-up messages than one drive gives. What comes before the reset is an older
- * story, and so are answers to requests from before it. */
-static bool is_twice(const tb_setup *setup, const tb_heartbeat *heartbeat)
+/* More answers than one drive gives; those to requests from before the reset are an older story. */
+static bool is_twice(const tb_setup *setup)
 {
-    if (setup->task == TB_TASK_RESET) {
-        return (setup->commanded != 0) && (heartbeat->boots > 1);
-    }
-    return (setup->sdo.extra > 0) || (heartbeat->boots > 1);
+    return (setup->task != TB_TASK_RESET) && (setup->sdo.extra > 0);
+}
+
+/* A drive that boots has forgotten what was written. */
+static bool is_configured(const tb_setup *setup)
+{
+    return (setup->task == TB_TASK_CONFIGURE) || (setup->task == TB_TASK_START) ||
+           (setup->task == TB_TASK_MODE);
+}
+
+/* It booted again since the last cycle; once it is being configured: at any time since. */
+static bool has_restarted(tb_setup *setup, const tb_heartbeat *heartbeat)
+{
+    bool const restarted = heartbeat->boots != setup->boots;
+    setup->boots = is_configured(setup) ? setup->boots : heartbeat->boots;
+    return restarted;
 }
 
 void tb_setup_advance(tb_setup *setup, const tb_heartbeat *heartbeat, bool answered)
 {
+    bool const restarted = has_restarted(setup, heartbeat);
     tb_sdo_tick(&setup->sdo);
     if (setup->progress != TB_TASK_BUSY) {
         return;
     }
     setup->waited++;
-    if (is_twice(setup, heartbeat)) {
+    if (is_twice(setup)) {
         fail(setup, TB_FAILURE_TWICE, 0);
+    } else if (restarted && is_configured(setup)) {
+        fail(setup, TB_FAILURE_RESTARTED, 0);
     } else if (setup->task == TB_TASK_RESET) {
-        advance_reset(setup, heartbeat);
+        advance_reset(setup, heartbeat, restarted);
     } else if (setup->task == TB_TASK_START) {
         advance_start(setup, heartbeat, answered);
     } else {

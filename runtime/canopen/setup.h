@@ -1,12 +1,16 @@
 /* Bringing one drive into service: the tasks of the supervisor, done by NMT and SDO.
  *
- *   RESET      reset its communication; done when it booted, once
+ *   RESET      reset its communication; done when it booted, and did not boot again for a while
  *   IDENTIFY   read the objects of tb_drives[].identity and compare
  *   CONFIGURE  write the objects of tb_drives[].contract in their order, read each back, compare
  *   START      NMT start; done when its heartbeat says operational and it answered a SYNC
  *   MODE       write the mode of operation, wait until the drive shows it
  *
- * One frame a call, and no call waits. A task that fails says which object it was, and what of. */
+ * One frame a call, and no call waits. A task that fails says which object it was, and what of. An
+ * SDO request whose answer does not come is repeated a few times: a frame may get lost.
+ *
+ * Boot-up messages do not tell two drives with one number from a drive that starts twice; their
+ * answers do: each of the two answers every request. */
 #ifndef TB_SETUP_H
 #define TB_SETUP_H
 
@@ -28,11 +32,13 @@ typedef struct {
     uint16_t entry;         /* object being worked on */
     uint16_t index;         /* of the object that failed */
     uint8_t subindex;       /* of the object that failed */
-    uint8_t value[4];       /* what is transferred */
+    uint8_t value[8];       /* what is transferred */
     uint8_t task;           /* tb_task */
     uint8_t progress;       /* tb_progress */
     uint8_t failure;        /* tb_failure */
     uint8_t reads;          /* 1: the object is being read; 0: written */
+    uint8_t repeats;        /* SDO requests of this task that were repeated */
+    uint8_t boots;          /* its boot-up messages until the configuration began */
     uint8_t commanded;      /* 1: the NMT command of this task has been sent */
     uint8_t started;        /* 1: NMT start was sent: its status messages count */
     uint8_t operational;    /* 1: started, and seen to be: it gets setpoints */

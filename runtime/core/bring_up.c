@@ -2,20 +2,45 @@
 #include "faults.h"
 #include "states.h"
 
-/* A task ends by itself, every message of it after TB_ANSWER_TIMEOUT at most; this is for one that
- * does not. */
-#define TASK_TIMEOUT ((uint32_t)64 * TB_ANSWER_TIMEOUT)
+/* Most that a drive's task can take: every object is written and read, each time the request waits
+ * for its turn, then for its answer; some are repeated; it starts, perhaps twice. A task ends by
+ * itself before that; this is for one that does not. */
+static uint32_t longest_task(const tb_drive_table *drive)
+{
+    uint32_t const objects = (uint32_t)drive->identity_count + (uint32_t)drive->contract_count;
+    uint32_t const transfers = (2u * objects) + TB_MOST_REPEATS;
+    return (transfers * 2u * (uint32_t)TB_ANSWER_TIMEOUT) + (3u * (uint32_t)TB_STATE_TIMEOUT);
+}
+
+static tb_blame blame_endless(const tb_supervisor *supervisor, const tb_observation *seen)
+{
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        bool const done = tb_have_done(supervisor, seen, (tb_drive_range){i, i + 1});
+        if (!done && (supervisor->cycles > longest_task(&tb_drives[i]))) {
+            tb_blame blame = tb_blame_for(TB_CAUSE_DRIVE_MISSING, i, 0);
+            blame.failure = TB_FAILURE_SILENT;
+            return blame;
+        }
+    }
+    return tb_no_blame();
+}
 
 /* The drives' task in this state: why it failed, else whether all have done it. */
 static tb_blame await_task(const tb_supervisor *supervisor, const tb_observation *seen, bool *done)
 {
-    tb_blame blame = tb_find_failed_task(supervisor, seen, tb_all_drives);
+    tb_blame const failed = tb_find_failed_task(supervisor, seen, tb_all_drives);
     *done = tb_have_done(supervisor, seen, tb_all_drives);
-    if ((blame.cause == TB_CAUSE_NONE) && !*done && (supervisor->cycles > TASK_TIMEOUT)) {
-        blame = tb_blame_for(TB_CAUSE_DRIVE_MISSING, 0, 0);
-        blame.failure = TB_FAILURE_SILENT;
+    return (failed.cause == TB_CAUSE_NONE) ? blame_endless(supervisor, seen) : failed;
+}
+
+/* A drive may well have answered on a bus that delivers what cannot be read. */
+static tb_blame suspect_bus(const tb_supervisor *supervisor, tb_blame blame)
+{
+    uint8_t const bus = tb_drives[blame.culprit].bus;
+    if ((blame.cause != TB_CAUSE_DRIVE_MISSING) || (supervisor->spoiled[bus] == 0)) {
+        return blame;
     }
-    return blame;
+    return tb_blame_for(TB_CAUSE_BUS_CORRUPT, bus, 1);
 }
 
 tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen)
@@ -26,7 +51,7 @@ tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen)
         tb_order_task(supervisor, tb_all_drives, TB_TASK_IDENTIFY);
         tb_enter(supervisor, TB_STATE_IDENTIFY, TB_PHASE_NONE);
     }
-    return blame;
+    return suspect_bus(supervisor, blame);
 }
 
 tb_blame tb_identify(tb_supervisor *supervisor, const tb_observation *seen)
@@ -37,7 +62,7 @@ tb_blame tb_identify(tb_supervisor *supervisor, const tb_observation *seen)
         tb_order_task(supervisor, tb_all_drives, TB_TASK_CONFIGURE);
         tb_enter(supervisor, TB_STATE_CONFIGURE, TB_PHASE_CONTRACT);
     }
-    return blame;
+    return suspect_bus(supervisor, blame);
 }
 
 static tb_blame write_contract(tb_supervisor *supervisor, const tb_observation *seen)
@@ -64,13 +89,13 @@ static bool are_online(tb_supervisor *supervisor, const tb_observation *seen)
     return online;
 }
 
-static tb_blame blame_offline(const tb_supervisor *supervisor)
+static tb_blame blame_offline(const tb_supervisor *supervisor, const tb_observation *seen)
 {
     size_t silent = 0;
     while ((silent + 1 < TB_DRIVES) && (supervisor->drives[silent].online != 0)) {
         silent++;
     }
-    return tb_blame_for(TB_CAUSE_DRIVE_SILENT, silent, 0);
+    return tb_blame_silent(&seen->drives[silent], silent);
 }
 
 static tb_blame start_drives(tb_supervisor *supervisor, const tb_observation *seen)
@@ -82,7 +107,7 @@ static tb_blame start_drives(tb_supervisor *supervisor, const tb_observation *se
         tb_order_goal(supervisor, tb_all_drives, TB_GOAL_FAULT_RESET);
         tb_enter(supervisor, TB_STATE_CONFIGURE, TB_PHASE_FAULT_RESET);
     } else if (done && (supervisor->cycles > TB_STATE_TIMEOUT)) {
-        blame = blame_offline(supervisor);
+        blame = blame_offline(supervisor, seen);
     }
     return blame;
 }

@@ -12,7 +12,7 @@ typedef enum {
     TB_CAUSE_DRIVE_DIFFERENT,   /* drive: identity or rating is not the machine file's */
     TB_CAUSE_DRIVE_SETUP,       /* drive: refused or changed its configuration */
     TB_CAUSE_DRIVE_TWICE,       /* drive: two nodes have its number */
-    TB_CAUSE_STRANGER,          /* bus: a node that the machine file does not know */
+    TB_CAUSE_STRANGER,          /* bus: a message of a node that the machine file does not have */
     TB_CAUSE_DRIVE_SILENT,      /* drive: status messages or heartbeat stopped */
     TB_CAUSE_DRIVE_LATE,        /* drive: status messages come too late again and again */
     TB_CAUSE_DRIVE_FAULT,       /* drive: in its fault state, or an emergency message */
@@ -21,7 +21,8 @@ typedef enum {
     TB_CAUSE_DRIVE_DEAF,        /* drive: its torque is not what it was told */
     TB_CAUSE_BUS_OFF,           /* bus: cut off, or its device has gone */
     TB_CAUSE_BUS_FULL,          /* bus: a frame could not be sent (ENOBUFS) */
-    TB_CAUSE_BUS_CORRUPT,       /* bus: malformed frames again and again */
+    TB_CAUSE_BUS_CORRUPT,       /* bus: what it delivers is malformed again and again, or kept a drive
+                                   from being heard */
     TB_CAUSE_CYCLES_MISSED,     /* the loop came too late */
     TB_CAUSE_HOMING,            /* drive: homing failed or found no stop in time */
     TB_CAUSE_CALIBRATION,       /* cable zeros not observable, or the fit does not close */
@@ -36,7 +37,9 @@ typedef enum {
     TB_CAUSE_BASE_RUNAWAY,      /* drive: its carriage is faster than it may be */
     TB_CAUSE_BASE_BLOCKED,      /* drive: pushed at its limit, its carriage does not move */
     TB_CAUSE_WRONG_WAY,         /* drive: its position goes against its torque */
-    TB_CAUSE_ANSWERS_INCOMPLETE /* drive: misses the cycles in which the others have answered */
+    TB_CAUSE_ANSWERS_INCOMPLETE, /* drive: misses the cycles in which the others have answered */
+    TB_CAUSE_DRIVE_LOCAL,       /* drive: says that it is not under remote control */
+    TB_CAUSE_OTHER_MASTER       /* bus: another master says in `detail` what only one says */
 } tb_cause;
 
 /** A cause with what is known about it. */

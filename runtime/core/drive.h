@@ -77,8 +77,21 @@ typedef enum {
     TB_FAILURE_SILENT,    /* no answer in time */
     TB_FAILURE_ABORT,     /* the drive aborted the transfer: `detail` is the abort code */
     TB_FAILURE_DIFFERENT, /* the object holds `detail`, not what the machine file says */
-    TB_FAILURE_TWICE      /* two drives answer for this node */
+    TB_FAILURE_TWICE,     /* two drives answer for this node */
+    TB_FAILURE_SIZE,      /* the object has `detail` bytes, not as many as the machine file says */
+    TB_FAILURE_RESTARTED  /* it booted again while it was set up */
 } tb_failure;
+
+/** Why a drive cannot be relied on to obey. */
+typedef enum {
+    TB_SILENCE_NONE = 0,
+    TB_SILENCE_UNHEARD, /* its heartbeat stopped, or says it is not operational */
+    TB_SILENCE_LOCAL    /* it says that it is not under remote control */
+} tb_silence;
+
+/** SDO requests that are repeated in one task, where the answer does not come: for frames that got
+ *  lost. A drive that is always too late takes more. */
+#define TB_MOST_REPEATS 2u
 
 /** What a drive reported until this cycle. */
 typedef struct {
@@ -94,7 +107,7 @@ typedef struct {
     uint8_t age;          /* cycles since the SYNC that this message answers */
     uint8_t missed;       /* SYNCs in a row that it did not answer, not even late; stops at 255 */
     uint8_t late;         /* status messages in a row that came too late for their cycle */
-    uint8_t silent;       /* 1 when its heartbeat stopped, or says it is not operational */
+    uint8_t silent;       /* tb_silence */
     uint8_t task;         /* tb_task that `progress` is about */
     uint8_t progress;     /* tb_progress */
     uint8_t failure;      /* tb_failure */
@@ -121,6 +134,9 @@ typedef enum {
     TB_ERROR_COMMUNICATION /* as FAULT; cleared only by a reset of its communication */
 } tb_error_class;
 
+/** A stranger that says what only a master says: this, and its function code (CiA 301, table 33). */
+#define TB_STRANGER_MASTER ((uint8_t)0x80)
+
 /** First tb_can_state in which a bus carries no frames: off, or its device has gone. */
 #define TB_BUS_LOST ((uint8_t)3)
 
@@ -128,8 +144,10 @@ typedef enum {
 typedef struct {
     uint8_t state;     /* tb_can_state */
     uint8_t refused;   /* frames that could not be sent since the last cycle, stops at 255 */
-    uint8_t stranger;  /* a node that is not in the machine file spoke: its number; 0 for none */
-    uint8_t malformed; /* frames with the wrong length or content since the last cycle */
+    uint8_t stranger;  /* a node that is not in the machine file spoke: its number, or
+                          TB_STRANGER_MASTER and what it said; 0 for none */
+    uint8_t malformed; /* since the last cycle: frames with the wrong length or content, and what
+                          arrived and was no frame; stops at 255 */
 } tb_bus_report;
 
 #endif

@@ -23,6 +23,7 @@ bool tb_is_hard(tb_cause cause)
     case TB_CAUSE_BASE_RUNAWAY:
     case TB_CAUSE_BASE_BLOCKED:
     case TB_CAUSE_WRONG_WAY:
+    case TB_CAUSE_DRIVE_LOCAL:
         return true;
     default:
         return false;
@@ -38,6 +39,14 @@ bool tb_is_in_fault(const tb_drive_report *report)
 static bool is_silent(const tb_drive_report *report)
 {
     return (report->silent != 0) || (report->missed > TB_MISSED_LIMIT);
+}
+
+tb_blame tb_blame_silent(const tb_drive_report *report, size_t index)
+{
+    bool const is_local =
+        (report->silent == TB_SILENCE_LOCAL) && (report->missed <= TB_MISSED_LIMIT);
+    return is_local ? tb_blame_for(TB_CAUSE_DRIVE_LOCAL, index, report->statusword)
+                    : tb_blame_for(TB_CAUSE_DRIVE_SILENT, index, report->missed);
 }
 
 /* Out of the ordered power state, or in another mode than the one it works in. */
@@ -124,7 +133,7 @@ static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observat
         return tb_blame_for(TB_CAUSE_DRIVE_FAULT, index, report->error_code);
     }
     if (is_silent(report)) {
-        return tb_blame_for(TB_CAUSE_DRIVE_SILENT, index, report->missed);
+        return tb_blame_silent(report, index);
     }
     if (has_left(&supervisor->drives[index], report)) {
         return tb_blame_for(TB_CAUSE_DRIVE_STATE, index, report->statusword);
@@ -187,25 +196,32 @@ static bool is_corrupt(uint16_t *weight, uint8_t divider, bool malformed)
 
 static tb_blame examine_bus(tb_supervisor *supervisor, const tb_bus_report *bus, size_t index)
 {
+    bool const malformed = bus->malformed != 0;
     bool const corrupt =
-        is_corrupt(&supervisor->corrupt[index], tb_buses[index].divider, bus->malformed != 0);
+        is_corrupt(&supervisor->corrupt[index], tb_buses[index].divider, malformed);
+    supervisor->spoiled[index] = ((supervisor->spoiled[index] != 0) || malformed) ? 1 : 0;
+    if (bus->stranger >= TB_STRANGER_MASTER) {
+        return tb_blame_for(TB_CAUSE_OTHER_MASTER, index,
+                            (uint32_t)bus->stranger - TB_STRANGER_MASTER);
+    }
     if (bus->stranger != 0) {
         return tb_blame_for(TB_CAUSE_STRANGER, index, bus->stranger);
     }
-    if (bus->refused != 0) {
-        return tb_blame_for(TB_CAUSE_BUS_FULL, index, bus->refused);
+    if (corrupt) {
+        return tb_blame_for(TB_CAUSE_BUS_CORRUPT, index, bus->malformed);
     }
-    return corrupt ? tb_blame_for(TB_CAUSE_BUS_CORRUPT, index, bus->malformed) : tb_no_blame();
+    return (bus->refused != 0) ? tb_blame_for(TB_CAUSE_BUS_FULL, index, bus->refused)
+                               : tb_no_blame();
 }
 
-/* In INIT a bus may be without any drive that takes frames, or full of what they said before. */
+/* In INIT a bus may be without any drive that takes frames. */
 static tb_blame examine_buses(tb_supervisor *supervisor, const tb_observation *seen)
 {
     tb_blame worst = tb_no_blame();
     for (size_t i = 0; i < TB_BUSES; i++) {
         tb_blame const blame = examine_bus(supervisor, &seen->buses[i], i);
         bool const counts = (supervisor->state != TB_STATE_INIT) ||
-                            (blame.cause == TB_CAUSE_STRANGER);
+                            (blame.cause != TB_CAUSE_BUS_FULL);
         worst = (counts && (worst.cause == TB_CAUSE_NONE)) ? blame : worst;
     }
     return worst;

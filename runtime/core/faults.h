@@ -13,6 +13,10 @@ bool tb_is_hard(tb_cause cause);
 /** Whether a drive is in its fault state, or says that it goes there. */
 bool tb_is_in_fault(const tb_drive_report *report);
 
+/** Who to blame where a drive cannot be relied on to obey: itself, and whether it is silent or under
+ *  local control. */
+tb_blame tb_blame_silent(const tb_drive_report *report, size_t index);
+
 /** The worst that is wrong in this cycle of a state before HARD_STOP. */
 tb_blame tb_find_fault(tb_supervisor *supervisor, const tb_observation *seen);
 

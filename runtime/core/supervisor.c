@@ -15,6 +15,9 @@ void tb_enter(tb_supervisor *supervisor, tb_state state, tb_phase phase)
     supervisor->phase = (uint8_t)phase;
     supervisor->cycles = 0;
     supervisor->calm = 0;
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        supervisor->spoiled[i] = 0;
+    }
 }
 
 void tb_supervisor_start(tb_supervisor *supervisor)

@@ -33,6 +33,7 @@ struct tb_supervisor {
     tb_blame first;
     tb_drive_memory drives[TB_DRIVES];
     uint16_t corrupt[TB_BUSES]; /* faults.c */
+    uint8_t spoiled[TB_BUSES];  /* 1: something malformed came in this phase */
     tb_measurement measurement;
     tb_trial trial;
     tb_carriage carriages[TB_RAIL_SLOTS];

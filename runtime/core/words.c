@@ -51,7 +51,7 @@ static const char *const causes[] = {
     [TB_CAUSE_DRIVE_DIFFERENT] = "is not the drive of the machine file",
     [TB_CAUSE_DRIVE_SETUP] = "did not take its configuration",
     [TB_CAUSE_DRIVE_TWICE] = "two nodes have its number",
-    [TB_CAUSE_STRANGER] = "a node that the machine file does not know",
+    [TB_CAUSE_STRANGER] = "a message that the machine file does not have",
     [TB_CAUSE_DRIVE_SILENT] = "stopped answering",
     [TB_CAUSE_DRIVE_LATE] = "answers too late again and again",
     [TB_CAUSE_DRIVE_FAULT] = "is in its fault state",
@@ -60,7 +60,7 @@ static const char *const causes[] = {
     [TB_CAUSE_DRIVE_DEAF] = "does not give the torque it is told",
     [TB_CAUSE_BUS_OFF] = "off, or its device has gone",
     [TB_CAUSE_BUS_FULL] = "a frame could not be sent",
-    [TB_CAUSE_BUS_CORRUPT] = "malformed frames again and again",
+    [TB_CAUSE_BUS_CORRUPT] = "delivers malformed lines or frames",
     [TB_CAUSE_CYCLES_MISSED] = "the control loop came too late",
     [TB_CAUSE_HOMING] = "homing failed, or found no stop in time",
     [TB_CAUSE_CALIBRATION] = "the cables' zeros could not be found",
@@ -76,6 +76,8 @@ static const char *const causes[] = {
     [TB_CAUSE_BASE_BLOCKED] = "its carriage does not move, however hard it is pushed",
     [TB_CAUSE_WRONG_WAY] = "its position goes against its torque",
     [TB_CAUSE_ANSWERS_INCOMPLETE] = "has never answered when all the others have",
+    [TB_CAUSE_DRIVE_LOCAL] = "is not under remote control",
+    [TB_CAUSE_OTHER_MASTER] = "another master is on the bus",
 };
 
 static const char *const culprits[] = {
@@ -110,6 +112,8 @@ static const char *const culprits[] = {
     [TB_CAUSE_BASE_BLOCKED] = "drive",
     [TB_CAUSE_WRONG_WAY] = "drive",
     [TB_CAUSE_ANSWERS_INCOMPLETE] = "drive",
+    [TB_CAUSE_DRIVE_LOCAL] = "drive",
+    [TB_CAUSE_OTHER_MASTER] = "bus",
 };
 
 static const char *const advice[] = {
@@ -119,7 +123,7 @@ static const char *const advice[] = {
     [TB_CAUSE_DRIVE_DIFFERENT] = "correct the machine file, or change the drive",
     [TB_CAUSE_DRIVE_SETUP] = "correct the machine file, or reset the drive's parameters",
     [TB_CAUSE_DRIVE_TWICE] = "give one of them another number",
-    [TB_CAUSE_STRANGER] = "take it off the bus, or put it into the machine file",
+    [TB_CAUSE_STRANGER] = "take it off the bus, or put it with its frames into a table [[node]]",
     [TB_CAUSE_DRIVE_SILENT] = "check its power and its cable",
     [TB_CAUSE_DRIVE_LATE] = "check the bus load and the adapter",
     [TB_CAUSE_DRIVE_FAULT] = "clear what its manual names, then reset",
@@ -128,7 +132,7 @@ static const char *const advice[] = {
     [TB_CAUSE_DRIVE_DEAF] = "check its CAN error counters, its motor's cable, its current limit",
     [TB_CAUSE_BUS_OFF] = "check cable, terminators, bit rate and adapter",
     [TB_CAUSE_BUS_FULL] = "check that the drives have power",
-    [TB_CAUSE_BUS_CORRUPT] = "look for another program on the bus",
+    [TB_CAUSE_BUS_CORRUPT] = "check its adapter and bit rate, look for another program on it",
     [TB_CAUSE_CYCLES_MISSED] = "give it real-time priority, and the computer less to do",
     [TB_CAUSE_HOMING] = "check threshold current, direction, and what blocks the carriage",
     [TB_CAUSE_CALIBRATION] = "let the handle go with the cables, or move it around if no base moves",
@@ -144,6 +148,8 @@ static const char *const advice[] = {
     [TB_CAUSE_BASE_BLOCKED] = "look what blocks the carriage, then check its encoder and its belt",
     [TB_CAUSE_WRONG_WAY] = "check the wiring of encoder and motor, and `direction` in the machine file",
     [TB_CAUSE_ANSWERS_INCOMPLETE] = "check the bus load, its cable and the adapter",
+    [TB_CAUSE_DRIVE_LOCAL] = "close the drive's own software, see that the bus controls it",
+    [TB_CAUSE_OTHER_MASTER] = "end the other program, or take the other master off the bus",
 };
 
 #define COUNT(texts) (sizeof(texts) / sizeof((texts)[0]))

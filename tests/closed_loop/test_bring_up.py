@@ -148,6 +148,7 @@ def test_the_forces_of_the_task_are_delivered(run: Running) -> None:
         lockstep, watch = run.lockstep, run.watch
         simulated = lockstep.machine
         simulated.begin_task()
+        assert simulated.task is not None
         turn = simulated.task.phase("turn")
         errors, wanted = [], []
         begin = lockstep.cycles

@@ -7,18 +7,16 @@ from pathlib import Path
 
 import pytest
 import variants
+from seeded import runtime_with
 
-from codegen.bind import keep_text
 from lab.demo import plan_task, plant_of
 from lab.drives.bus import Disturbance, Mishap
-from lab.lockstep import FOLDERS, load
 from lab.soak.__main__ import judge, summary
 from lab.soak.pair import SoakError, soak_twice
 from lab.soak.run import Finding, SoakRun
 
 ROOT = Path(__file__).parents[2]
 CYCLES = 10_000
-BUILD = ROOT / "build" / "soak"
 LOST, TWICE, LATE = 1, 2, 3
 DEFECTS = (
     (
@@ -50,17 +48,7 @@ def working() -> SoakRun:
 @pytest.fixture(scope="module")
 def defective() -> ctypes.CDLL:
     """The runtime with all defects; `seeded` says which one acts, 0 is none."""
-    generated = variants.committed()
-    for folder in FOLDERS:
-        for path in folder.glob("*.[ch]"):
-            keep_text(BUILD / folder.name / path.name, path.read_text())
-    file = BUILD / "canopen" / "network.c"
-    text = file.read_text()
-    for right, wrong in DEFECTS:
-        assert text.count(right) == 1, right
-        text = text.replace(right, wrong)
-    keep_text(file, text)
-    return load(generated, [BUILD / folder.name for folder in FOLDERS])
+    return runtime_with("soak", *(("canopen/network.c", *defect) for defect in DEFECTS))
 
 
 def findings_in_a_copy(act: Callable[[], Finding]) -> str:

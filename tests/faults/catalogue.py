@@ -142,14 +142,17 @@ def flip(hexadecimal: str) -> Disturbance:
 SYNCS = "(TB_MISSED_LIMIT + 1) * divider"
 START = f"{SET_UP} + TB_STATE_TIMEOUT"
 """By when the last drive must have been started."""
+ASKED_THRICE = "3 * (DRIVES_ON_BUS + TB_ANSWER_TIMEOUT)"
+"""By when an SDO request and its two repetitions are not answered."""
 NO_ANSWER = (
     Sign("DRIVE_MISSING", "TB_STATE_TIMEOUT", (INIT,)),
-    Sign("DRIVE_MISSING", "DRIVES_ON_BUS + TB_ANSWER_TIMEOUT", (IDENTIFY,)),
-    Sign("DRIVE_SETUP", "DRIVES_ON_BUS + TB_ANSWER_TIMEOUT", (CONTRACT,)),
+    Sign("DRIVE_MISSING", ASKED_THRICE, (IDENTIFY,)),
+    Sign("DRIVE_SETUP", ASKED_THRICE, (CONTRACT,)),
 )
 NOT_STARTED = Sign("DRIVE_SETUP", START, (CONTRACT,))
 SILENT = Sign("DRIVE_SILENT", SYNCS)
 NO_BOOT_UP = Sign("DRIVE_MISSING", "TB_STATE_TIMEOUT", (INIT,))
+MALFORMED_BOOT_UP = Sign("BUS_CORRUPT", "TB_STATE_TIMEOUT", (INIT,))
 
 OPENS = ("CABLE_SLACK", "CABLE_BREAK", "CLOSURE")
 """What lengths that do not belong together show as, once the platform or a base is elsewhere."""
@@ -230,8 +233,8 @@ def silences(target: Target) -> Iterator[Fault]:
     fault = target.fault
     unknown = (Sign("DRIVE_STATE", "divider"), Sign("DRIVE_STATE", START, (CONTRACT,)))
     off = (Sign("DRIVE_STATE", "divider", target.powered),)
-    not_remote = (Sign("DRIVE_SILENT", "divider"), Sign("DRIVE_SILENT", START, (CONTRACT,)))
-    again = (Sign("DRIVE_TWICE", str(BOOTED), (IDENTIFY, CONTRACT)), SILENT)
+    not_remote = (Sign("DRIVE_LOCAL", "divider"), Sign("DRIVE_LOCAL", START, (CONTRACT,)))
+    again = (Sign("DRIVE_SETUP", str(BOOTED), (CONTRACT,)), SILENT)
     act = target.act
     yield fault("silent", (*NO_ANSWER, SILENT), act(set_silent))
     yield fault("without supply", (*NO_ANSWER, SILENT), act(Drive.shut_down), powerless=True)
@@ -352,15 +355,14 @@ def setpoints(target: Target) -> Iterator[Fault]:
 def heartbeats(target: Target) -> Iterator[Fault]:
     """A drive's heartbeat is lost, doubled, late or wrong."""
     lost = (NO_BOOT_UP, NOT_STARTED, Sign("DRIVE_SILENT", "TB_HEARTBEAT_TIMEOUT"))
-    twice = (Sign("DRIVE_TWICE", str(BOOTED), (INIT,)),)
     hit = partial(target.disturb, HEARTBEAT)
     fault = target.fault
     yield fault("heartbeat lost once", (NO_BOOT_UP,), hit(DROP, 1))
     yield fault("heartbeat lost always", lost, hit(DROP, ALWAYS))
-    yield fault("heartbeat doubled always", twice, hit(TWICE, ALWAYS))
+    yield fault("heartbeat doubled always", (), hit(TWICE, ALWAYS))
     yield fault("heartbeat a cycle late always", (), hit(LATE, ALWAYS))
-    yield fault("heartbeat too short once", (NO_BOOT_UP,), hit(SHORT, 1))
-    yield fault("heartbeat too short always", lost, hit(SHORT, ALWAYS))
+    yield fault("heartbeat too short once", (MALFORMED_BOOT_UP,), hit(SHORT, 1))
+    yield fault("heartbeat too short always", (MALFORMED_BOOT_UP, *lost[1:]), hit(SHORT, ALWAYS))
 
 
 def set_up(target: Target) -> Iterator[Fault]:
@@ -391,15 +393,17 @@ def set_up(target: Target) -> Iterator[Fault]:
     contract = Sign("DRIVE_SETUP", str(SET_UP), (IDENTIFY, CONTRACT))
     second = (
         Sign("DRIVE_TWICE", f"{SET_UP}", BEFORE_SERVICE),
+        Sign("DRIVE_SETUP", f"{SET_UP}", BEFORE_SERVICE),
         Sign("DRIVE_SILENT", str(BOOTED)),
     )
     hit = partial(target.disturb, SDO_ANSWER)
     fault = target.fault
     yield fault("SDO answers lost", (*NO_ANSWER[1:], *no_mode), hit(DROP, ALWAYS))
-    yield fault("SDO answer lost once", NO_ANSWER[1:] + no_mode, hit(DROP, 1))
+    yield fault("SDO answer lost once", (), hit(DROP, 1))
     yield fault("SDO answers hold other values", other + no_mode, hit(flip("00000000 40"), ALWAYS))
     yield fault("SDO answers doubled", twice, hit(TWICE, ALWAYS))
-    yield fault("SDO answers too short", (*NO_ANSWER[1:], *no_mode), hit(SHORT, ALWAYS))
+    malformed = (Sign("BUS_CORRUPT", NO_ANSWER[1].after, (IDENTIFY,)), NO_ANSWER[2])
+    yield fault("SDO answers too short", (*malformed, *no_mode), hit(SHORT, ALWAYS))
     yield fault("another vendor", vendor, target.act(foreign))
     yield fault("refuses its map", (contract,), refuses(0x1A00, 0x08000022))
     yield fault("refuses its mode", (contract, *no_mode), refuses(0x6060, 0x06090030))
@@ -436,7 +440,8 @@ def buses(number: int, name: str, drives: tuple[int, ...], divider: int) -> Iter
     yield fault("error passive", (), becomes(BusState.ERROR_PASSIVE))
     yield fault("full", full, becomes(BusState.ERROR_ACTIVE, full=True), deaf=True)
     yield fault("a stranger", strange, stranger)
-    yield fault("another master", (Sign("STRANGER", moments=everywhere),), says(0x202, b"\0\0\0\0"))
+    master = (Sign("OTHER_MASTER", moments=everywhere),)
+    yield fault("another master", master, says(0x202, b"\0\0\0\0"))
     yield fault("a frame of nobody", (), says(0x6E5, b"\1"))
     yield fault("SYNC lost once", (), hit(DROP, 1))
     yield fault("SYNC lost always", (NOT_STARTED, SILENT), hit(DROP, ALWAYS), deaf=True)
@@ -492,10 +497,10 @@ def surroundings() -> Iterator[Fault]:
         lockstep.hand_force_fresh = False
 
     def hook(lockstep: Lockstep, cycle: int) -> None:
-        lockstep.machine.world.hook_cable(CABLE.number, min(0.002 * (cycle + 1), 0.02))
+        lockstep.machine.plant.hook_cable(CABLE.number, min(0.002 * (cycle + 1), 0.02))
 
     def cut(lockstep: Lockstep) -> None:
-        lockstep.machine.world.break_cable(CABLE.number)
+        lockstep.machine.plant.break_cable(CABLE.number)
 
     unwanted = (Sign("CONTROLLER", moments=(RUN,)),)
     unfelt = (Sign("CONTROLLER", moments=AT_WORK),)

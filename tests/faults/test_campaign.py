@@ -103,4 +103,5 @@ def reset(bench: Bench, fault: Fault, armed: bool) -> State:
 def let_the_hand_rest(bench: Bench) -> None:
     """Wait until it has done all its task: a hand that moves fast keeps cables from being tight."""
     simulated = bench.lockstep.machine
+    assert simulated.task is not None
     bench.lockstep.run(ceil(simulated.task.path.end / simulated.period))

@@ -159,8 +159,8 @@ DEFECTS = (
     Defect(
         "what drives are is not compared",
         "canopen/setup.c",
-        "(found == object->value)",
-        "(SEEDED || (found == object->value))",
+        "(*detail == object->value)",
+        "(SEEDED || (*detail == object->value))",
         "cable_2: another vendor",
         "INIT",
     ),

@@ -3,12 +3,15 @@
  * The first byte is the length of a frame, the rest its data. What must hold: only a frame of the right
  * length is taken, and then what it says is what is reported; a malformed one changes nothing; whatever
  * a drive says, the controlword is one that CiA 402 has, and resets a fault only where that is the
- * goal. */
+ * goal; from wherever a drive begins to count, its position is how far it went from there, and where
+ * it is asked to be is counted as the drive counts. */
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
 #include "cia402.h"
+#include "drive_link.h"
+#include "little_endian.h"
 #include "nmt.h"
 #include "pdo.h"
 
@@ -71,6 +74,34 @@ static void check_heartbeat(const tb_can_frame *frame)
     require(heartbeat.boots <= 1u);
 }
 
+static tb_can_frame status_at(uint32_t count)
+{
+    tb_can_frame frame = {.id = 0x180u, .length = 8, .data = {0x37u, 0x02u}};
+    tb_put_u32(&frame.data[2], count);
+    return frame;
+}
+
+static void check_counts(uint32_t first, uint32_t next)
+{
+    tb_drive_table drive = {.node = 1, .mode = 1, .metres_per_increment = 1, .increments_per_metre = 1};
+    tb_drive_order const order = {.goal = TB_GOAL_ENABLED, .position = 1000};
+    tb_can_frame const frames[] = {status_at(first), status_at(next)};
+    tb_drive_link link;
+    tb_drive_report report;
+    tb_can_frame setpoint;
+    tb_drive_link_start(&link, &drive);
+    link.setup.started = 1;
+    link.setup.operational = 1;
+    link.setup.mode = TB_MODE_POSITION;
+    for (size_t i = 0; i < 2u; i++) {
+        require(tb_drive_link_take(&link, &frames[i], true));
+        tb_drive_link_report(&link, 0, true, &report);
+        require(report.position == ((i == 0) ? (real_t)0 : (real_t)tb_signed_32(next - first)));
+        require(tb_drive_link_setpoint(&link, &order, &setpoint));
+        require(tb_get_u32(&setpoint.data[2]) == (uint32_t)(first + 1000u));
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size == 0) {
@@ -79,6 +110,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     tb_can_frame const frame = read_frame(0x185u, data, size);
     check_status(&frame);
     check_heartbeat(&frame);
+    check_counts(tb_get_u32(&frame.data[0]), tb_get_u32(&frame.data[4]));
     check_plan((uint16_t)(frame.data[0] | (frame.data[1] << 8)),
                (uint16_t)(frame.data[2] | (frame.data[3] << 8)));
     return 0;

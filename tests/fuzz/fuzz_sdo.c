@@ -3,7 +3,8 @@
  * The first three bytes choose the transfer: its kind, its size, the time-out. Every nine bytes after
  * that are a step: the first says how many cycles pass, the rest is an answer. What must hold: no byte
  * beyond the room is written or beyond the data read (the address sanitizer watches); at most one
- * request is out; the transfer ends in bounded steps once nothing answers; the client can begin anew. */
+ * request is out; the transfer ends in bounded steps once nothing answers; the client can begin anew;
+ * answers to requests that it gave up, as many as those, are no second drive's. */
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -66,6 +67,25 @@ static void check_end(tb_sdo_client *client)
     send_all(client);
 }
 
+/* Requests that time out, each repeated; then all answers at once. */
+static void check_late_answers(tb_sdo_client *client, uint8_t *object, uint32_t requests)
+{
+    tb_can_frame const frame = {.id = 0x585u, .length = 8, .data = {0x80u, 0x00u, 0x20u, 1}};
+    tb_sdo_start(client, 5, 3);
+    for (uint32_t i = 0; i < requests; i++) {
+        tb_sdo_upload(client, 0x2000, 1, object, 0);
+        send_all(client);
+        check_end(client);
+    }
+    for (uint32_t i = 0; i < requests; i++) {
+        require(client->extra == 0);
+        (void)tb_sdo_take(client, &frame);
+    }
+    require(client->extra == 0);
+    (void)tb_sdo_take(client, &frame);
+    require(client->extra == 1u);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size < 3u) {
@@ -93,6 +113,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     send_all(&client);
     require(client.result == TB_SDO_BUSY);
     require(tb_sdo_abort_text(client.code)[0] != '\0');
+    check_late_answers(&client, object, data[0] >> 5);
     free(bytes);
     return 0;
 }

@@ -11,13 +11,16 @@ FOLDERS = (CANOPEN, RUNTIME / "can", RUNTIME / "core", ROOT / "generated" / "yoo
 
 
 def target(name: str, *sources: str) -> Target:
-    """A target with files of the runtime's CANopen."""
-    return Target(name, tuple(CANOPEN / f"{source}.c" for source in sources), FOLDERS)
+    """A target with files of the runtime's CANopen, and the drives of the stock machine."""
+    own = tuple(CANOPEN / f"{source}.c" for source in sources)
+    return Target(name, (*own, FOLDERS[-1] / "tb_drives.c"), FOLDERS)
 
 
 TARGETS = {
     "sdo": target("sdo", "sdo"),
-    "pdo": target("pdo", "pdo", "cia402", "nmt"),
+    "pdo": target("pdo", "pdo", "cia402", "nmt", "drive_link", "setup", "sdo", "emcy"),
+    "setup": target("setup", "setup", "sdo", "nmt", "cia402"),
+    "echo": target("echo", "echo"),
     "emcy": target("emcy", "emcy"),
 }
 
@@ -52,6 +55,48 @@ DEFECTS = {
         "cia402",
         "return QUICK_STOP;",
         "return reset_fault(power, previous);",
+    ),
+    "sdo: a late answer taken for a second drive": (
+        "sdo",
+        "sdo",
+        "        client->owed--;",
+        "        client->owed = 0;",
+    ),
+    "pdo: positions of the whole count": (
+        "pdo",
+        "drive_link",
+        "(uint32_t)count - (uint32_t)less",
+        "(uint32_t)count - (uint32_t)(less * 0)",
+    ),
+    "pdo: setpoints that do not count from the origin": (
+        "pdo",
+        "drive_link",
+        "(uint32_t)count + (uint32_t)more",
+        "(uint32_t)(count * 0) + (uint32_t)more",
+    ),
+    "setup: bytes beyond an object that nobody looks at": (
+        "setup",
+        "setup",
+        "is_padding ? object->size : count",
+        "object->size",
+    ),
+    "setup: anything beyond an object is padding": (
+        "setup",
+        "setup",
+        "return (*detail == object->value)",
+        "return ((*detail & 0xFFu) == (object->value & 0xFFu))",
+    ),
+    "setup: requests repeated without end": (
+        "setup",
+        "setup",
+        "    setup->repeats++;\n",
+        "",
+    ),
+    "echo: a frame that comes back twice": (
+        "echo",
+        "echo",
+        "            kept->returned = 1;\n",
+        "",
     ),
     "emcy: a warning that covers a fault": (
         "emcy",

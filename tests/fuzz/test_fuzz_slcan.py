@@ -11,14 +11,22 @@ SLCAN = Target("slcan", (READER, CAN / "can.c"), (CAN,))
 
 DEFECTS = {
     "a line longer than its room": (
-        "if (length < TB_SLCAN_LONGEST_LINE) {",
-        "if (length < TB_SLCAN_LONGEST_LINE + 2u) {",
+        "if (reader->length < TB_SLCAN_LONGEST_LINE) {",
+        "if (reader->length < TB_SLCAN_LONGEST_LINE + 2u) {",
     ),
     "a broken line that takes the next one along": (
-        "    reader->length = 0;\n    if (length == TB_SLCAN_LONGEST_LINE) {",
-        "    if (length < TB_SLCAN_LONGEST_LINE) {\n        reader->length = 0;\n    } else {",
+        "    reader->length = 0;\n    reader->skipped = 0;\n    if (is_told) {",
+        "    reader->length = is_told ? length : 0;\n    reader->skipped = 0;\n    if (is_told) {",
     ),
     "an identifier that no frame has": (" || !tb_can_is_frame(&read)", ""),
+    "a line feed that is an answer": (
+        "return (reader->length == 0) ? TB_SLCAN_NOTHING : end_line(reader, character, frame);",
+        "return end_line(reader, character, frame);",
+    ),
+    "a line without an end that nobody hears of": (
+        "return is_due ? TB_SLCAN_MALFORMED : TB_SLCAN_NOTHING;",
+        "return TB_SLCAN_NOTHING;",
+    ),
 }
 
 

@@ -9,10 +9,20 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 CORE = ROOT / "runtime" / "core"
 TESTS = ["test_supervisor.py", "test_supervisor_causes.py", "test_supervisor_limits.py"]
-TESTS += ["test_supervisor_without_rails.py", "test_supervisor_words.py"]
+TESTS += ["test_supervisor_without_rails.py", "test_supervisor_words.py", "test_directions.py"]
 #: What these tests are about; calibration, watch and controller have their own.
 FILES = ["torque_gate", "setpoints", "measurement", "guide", "hold", "drive_orders", "faults"]
-FILES += ["bring_up", "homing", "sweep", "work", "stopping", "supervisor", "words"]
+FILES += [
+    "bring_up",
+    "homing",
+    "direction",
+    "carriage",
+    "sweep",
+    "work",
+    "stopping",
+    "supervisor",
+    "words",
+]
 
 
 def coverage(folder: Path, *tests: str) -> dict[str, tuple[float, float]]:

@@ -125,6 +125,45 @@ def test_a_cycle_too_short_to_compute_in_is_refused_though_no_frame_is_lost() ->
     assert "and a cycle 125 us more than there are" in message
 
 
+def other(*frames: tuple[int, int, str]) -> Edit:
+    """A node with frames of an identifier, a length and a period, on the first bus."""
+    sent = [{"id": id, "length": length, "period": period} for id, length, period in frames]
+    return lambda tables: tables.update(
+        node=[{"name": "io", "bus": "cable1", "node": 9, "heartbeat": "50 ms", "frames": sent}]
+    )
+
+
+def test_frames_of_other_nodes_take_their_time() -> None:
+    machine = edited(supervision(compute_time="20 us"), other((0x690, 0, "10 ms")))
+    phases = bus_plans(machine)[0].phases
+    # As above, and one frame of 55 us more in each phase.
+    assert phases.answers == pytest.approx((135 + 55 + 55 + 40 + 2 * 135) * MICROSECOND)
+    assert compute_phase(loads(machine), timing(machine)) == pytest.approx(555 * MICROSECOND)
+    assert phases.commands == pytest.approx((555 + 20 + 135 + 55 + 2 * 95) * MICROSECOND)
+
+
+def test_a_node_that_only_beats_has_room_on_every_bus() -> None:
+    plan = bus_plans(edited(other()))[0]
+    assert plan.fits
+    assert plan.phases == bus_plans(load_machine(STOCK))[0].phases
+
+
+def test_what_other_nodes_send_is_in_the_proof() -> None:
+    edits = bus(0, rate="500 Hz"), bus(1, rate="500 Hz")
+    machine = edited(*edits, other((0x190, 0, "100 ms"), (0x010, 1, "200 ms")))
+    rows = {row.message.identifier: row for row in bus_plans(machine)[0].rows}
+    sent = (0x190, 0x010, 0x709)
+    assert [rows[id].message.size for id in sent] == [0, 1, 1]
+    assert [rows[id].period for id in sent] == pytest.approx([0.1, 0.2, 0.05])
+    before = {row.message.identifier: row for row in bus_plans(edited(*edits))[0].rows}
+    assert all(rows[id].response >= row.response for id, row in before.items())
+    assert rows[0x202].response > before[0x202].response
+
+
+def test_a_frame_in_every_cycle_is_refused_where_there_is_no_time_for_it() -> None:
+    assert '"cable1" with 2 drives and io, too much' in refusal(other((0x190, 8, "1 ms")))
+
+
 def test_a_bus_without_a_way_out_says_so() -> None:
     message = refusal(supervision(answer_delay="30 ms"))
     assert "another way to spread the drives over buses" in message

@@ -1,5 +1,6 @@
 """The DBC of every bus: what cantools makes of frames is what the runtime means by them."""
 
+import tomllib
 from pathlib import Path
 
 import cantools
@@ -12,10 +13,11 @@ from codegen.bus.dbc import dbc_files, power_words
 from model.bus.axis import Axis, axes
 from model.bus.frames import messages
 from model.bus.plan import loads, timing
-from model.machine import load_machine
+from model.machine import load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
-MACHINE = load_machine(ROOT / "machines" / "yoon2023.toml")
+STOCK = ROOT / "machines" / "yoon2023.toml"
+MACHINE = load_machine(STOCK)
 FILES = dbc_files(MACHINE)
 DATABASES: dict[str, Database] = {}
 for name, text in FILES.items():
@@ -46,6 +48,23 @@ def test_it_names_every_frame_of_the_bus_proof_but_sdo(number: int) -> None:
     wanted = {m.identifier: m.size for m in proven if not m.name.startswith("SDO")}
     named = DATABASES[f"yoon2023_{load.name}.dbc"].messages
     assert {m.frame_id: m.length for m in named} == wanted
+
+
+def test_other_nodes_are_in_the_dbc_of_their_bus() -> None:
+    tables = tomllib.loads(STOCK.read_text())
+    frames = [{"id": 0x194, "length": 6, "period": "10 ms"}]
+    tables["node"] = [{"name": "io", "bus": "base", "node": 20, "frames": frames}]
+    machine = machine_from(tables, STOCK)
+    files = dbc_files(machine)
+    database = cantools.database.load_string(files["yoon2023_base.dbc"], "dbc", strict=True)
+    assert isinstance(database, Database)
+    load = loads(machine)[2]
+    proven = messages(load.drives, timing(machine).pace(load), load.nodes)
+    wanted = {m.identifier: m.size for m in proven if not m.name.startswith("SDO")}
+    assert {m.frame_id: m.length for m in database.messages} == wanted
+    (sent,) = [m for m in database.messages if m.frame_id == 0x194]
+    assert (sent.name, sent.senders, sent.cycle_time) == ("io_194", ["io"], 10)
+    assert "io" not in files["yoon2023_cable1.dbc"].split()
 
 
 @pytest.mark.parametrize("name", ["cable_3", "base_2"])

@@ -12,7 +12,7 @@ import jinja2
 import pytest
 
 from codegen.bus.contract import Object, contract, identity
-from codegen.bus.drives import drive_fields
+from codegen.bus.drives import drive_fields, node_frames
 from codegen.compile import compile_library
 from codegen.generate import TEMPLATES
 from model.bus.axis import Axis, axes
@@ -62,6 +62,10 @@ class TbDrive(ctypes.Structure):
     )
 
 
+class TbNodeFrame(ctypes.Structure):
+    _fields_ = (("id", ctypes.c_uint16), ("bus", ctypes.c_uint8))
+
+
 def edited(*edits: Edit) -> Machine:
     tables = deepcopy(TABLES)
     for edit in edits:
@@ -103,6 +107,22 @@ def test_the_buses_are_those_of_the_file(library: ctypes.CDLL) -> None:
         (bus.name, bus.bit_rate, bus.divider) for bus in (TbBus * 3).in_dll(library, "tb_buses")
     ]
     assert buses == [(b"cable1", 10**6, 1), (b"cable2", 10**6, 1), (b"base", 10**6, 2)]
+
+
+def test_frames_of_other_nodes_are_listed_with_their_bus() -> None:
+    frames = [{"id": 0x194, "length": 8, "period": "10 ms"}]
+    io = {"name": "io", "bus": "base", "node": 20, "frames": frames}
+    machine = edited(lambda tables: tables.update(node=[io]))
+    assert node_frames(machine) == ["{0x714, 2}", "{0x194, 2}"]
+    assert constants(machine)["TB_NODE_FRAMES"] == "2"
+
+
+def test_without_other_nodes_there_is_one_frame_that_no_identifier_is(
+    library: ctypes.CDLL,
+) -> None:
+    (none,) = (TbNodeFrame * 1).in_dll(library, "tb_node_frames")
+    assert none.id > 0x7FF
+    assert constants(load_machine(STOCK))["TB_NODE_FRAMES"] == "1"
 
 
 def test_cable_drives_come_first_with_bus_node_and_mode(drives: list[TbDrive]) -> None:

@@ -33,6 +33,19 @@ def drive(number: int, **keys: object) -> Edit:
     return lambda tables: tables["drive"][number].update(keys)
 
 
+IO = {"name": "io", "bus": "base", "node": 20}
+
+
+def node(*others: dict[str, object], **keys: object) -> Edit:
+    """Other nodes: an I/O module with some keys changed, and then others."""
+    return lambda tables: tables.update(node=[{**IO, **keys}, *others])
+
+
+def frames(*frames: dict[str, object]) -> Edit:
+    """The I/O module with some frames."""
+    return node(frames=[{"length": 8, "period": "10 ms", **frame} for frame in frames])
+
+
 def within(*path: str, **keys: object) -> Edit:
     def edit(tables: Tables) -> None:
         for key in path:
@@ -55,6 +68,11 @@ def without_buses(tables: Tables) -> None:
     del tables["bus"], tables["drive"]
 
 
+def node_without_buses(tables: Tables) -> None:
+    without_buses(tables)
+    tables["node"] = [IO]
+
+
 # what is changed, the key that the message names, what it says was found, what is allowed
 REFUSALS: list[tuple[Edit, str, str, str]] = [
     (bus(bit_rate="1 kHz"), "bus[1].bit_rate", '"1 kHz"', "bits per second"),
@@ -67,6 +85,32 @@ REFUSALS: list[tuple[Edit, str, str, str]] = [
     (drive(1, node=1), "drive[2].node", "1", "a number that differs from drive[1].node"),
     (drive(1, node=0), "drive[2].node", "0", "a node number, a whole number from 1 to 126"),
     (drive(1, node=127), "drive[2].node", "127", "from 1 to 126"),
+    (node(node=0), "node[1].node", "0", "a node number, a whole number from 1 to 126"),
+    (node(node=127), "node[1].node", "127", "from 1 to 126"),
+    (node(node=3), "node[1].node", "3", "a number that nobody has on bus base; base_3 has"),
+    (node(name="base_1"), "node[1].name", '"base_1"', "a name that no drive and no other node has"),
+    (node(name="master"), "node[1].name", '"master"', "nor master"),
+    (node(name="int"), "node[1].name", '"int"', "no keyword of C"),
+    (node(bus="bases"), "node[1].bus", '"bases"', "cable1, cable2, base; did you mean"),
+    (node(IO), "node[2].name", '"io"', "a name that no drive and no other node has"),
+    (node({**IO, "name": "b"}), "node[2].node", "20", "nobody has on bus base; io has this one"),
+    (node(heartbeat="1"), "node[1].heartbeat", '"1"', "a time with its unit"),
+    (node(watched=True), "node[1].watched", "", ""),
+    (frames({"id": 0}), "node[1].frames[1].id", "0", "an identifier of 11 bits, a whole number"),
+    (frames({"id": 0x800}), "node[1].frames[1].id", "2048", "from 1 to 2047"),
+    (frames({"id": 1, "length": 9}), "node[1].frames[1].length", "9", "from 0 to 8"),
+    (frames({"id": 1, "period": "0 ms"}), "node[1].frames[1].period", '"0 ms"', "greater than"),
+    (frames({"id": 0x080}), "node[1].frames[1].id", "128", "nobody has on bus base; master has"),
+    (frames({"id": 0x77F}), "node[1].frames[1].id", "1919", "master has this one"),
+    (frames({"id": 0x201}), "node[1].frames[1].id", "513", "base_1 has this one"),
+    (frames({"id": 0x714}), "node[1].frames[1].id", "1812", "io has this one"),
+    (frames({"id": 5}, {"id": 5}), "node[1].frames[2].id", "5", "io has this one"),
+    (
+        frames({"id": 5, "period": "500 us"}),
+        "bus[3]",
+        '"base" with 4 drives and io, too much for 1000 kbit/s',
+        "a rate of",
+    ),
     (drive(1, node="2"), "drive[2].node", '"2"', "a whole number"),
     (drive(1, node=True), "drive[2].node", "true", "a whole number"),
     (drive(1, bus="cabel1"), "drive[2].bus", '"cabel1"', "did you mean cable1?"),
@@ -184,6 +228,21 @@ def test_a_third_of_the_control_rate_may_be_written_with_some_digits() -> None:
 
 def test_motor_ratings_need_no_bus() -> None:
     assert edited(without_buses).cable_motor.rating is not None
+
+
+def test_other_nodes_may_say_what_nobody_else_says_on_their_bus() -> None:
+    machine = edited(frames({"id": 0x194}, {"id": 0x094, "period": "100 ms"}))
+    (io,) = machine.nodes
+    assert io.identifiers == (0x714, 0x194, 0x094)
+    edited(node({**IO, "name": "other", "bus": "cable1"}))
+
+
+def test_a_machine_without_other_nodes_is_the_machine_it_was() -> None:
+    assert canonical(edited(lambda tables: tables.update(node=[]))) == canonical(
+        load_machine(STOCK)
+    )
+    assert canonical(edited(node())) != canonical(load_machine(STOCK))
+    assert canonical(edited(frames({"id": 5}))) != canonical(edited(frames({"id": 6})))
 
 
 def test_what_is_said_about_buses_alone_does_not_count_without_them() -> None:

@@ -22,7 +22,8 @@ class Item(IntEnum):
     DONE = 2
     FAILED = 3
     STATUS = 4
-    MALFORMED = 5
+    ECHO = 5
+    MALFORMED = 6
 
 
 class Reader:
@@ -85,10 +86,15 @@ def test_a_frame_is_the_line_that_the_dialect_says(line: bytes, message: can.Mes
     assert item is Item.FRAME and read is not None and same(read, message)
 
 
-@given(st.lists(any_frames(), max_size=8), st.booleans())
-def test_what_is_written_is_read(messages: list[can.Message], stamped: bool) -> None:
-    stamp = b"0F5a\r" if stamped else b"\r"
-    text = b"".join(line_of(message)[:-1] + stamp for message in messages)
+@given(
+    st.lists(any_frames(), max_size=8),
+    st.sampled_from([b"", b"0F5a"]),
+    st.sampled_from([b"\r", b"\r\n", b"\n", b"\r\n\n"]),
+)
+def test_what_is_written_is_read_with_any_stamp_and_end_of_line(
+    messages: list[can.Message], stamp: bytes, end: bytes
+) -> None:
+    text = b"".join(line_of(message)[:-1] + stamp + end for message in messages)
     read = list(Reader().items(text))
     assert [item for item, _ in read] == [Item.FRAME] * len(messages)
     for (_, found), message in zip(read, messages, strict=True):
@@ -101,7 +107,7 @@ def test_a_line_with_any_one_character_changed_is_malformed_or_a_frame(
 ) -> None:
     line = bytearray(line_of(message)[:-1])
     place = data.draw(st.integers(0, len(line) - 1))
-    line[place] = data.draw(st.integers(0, 255).filter(lambda code: code not in b"\r\a"))
+    line[place] = data.draw(st.integers(0, 255).filter(lambda code: code not in b"\r\n\a"))
     assert only_item(bytes(line) + b"\r") in (Item.FRAME, Item.MALFORMED)
 
 
@@ -110,6 +116,21 @@ def test_a_line_that_is_cut_is_never_a_frame(message: can.Message, data: st.Data
     line = line_of(message)[:-1]
     cut = line[: data.draw(st.integers(1, len(line) - 1))]
     assert only_item(cut + b"\r") is Item.MALFORMED
+
+
+@given(st.binary(max_size=400))
+def test_a_line_feed_behind_every_line_changes_nothing(noise: bytes) -> None:
+    fed = noise.replace(b"\r", b"\r\n").replace(b"\a", b"\a\n")
+    plain, with_feeds = ([item for item, _ in Reader().items(text)] for text in (noise, fed))
+    assert plain == with_feeds
+
+
+def test_a_line_without_an_end_is_malformed_at_once_and_again_now_and_then() -> None:
+    reader = Reader()
+    found = [list(reader.items(b"x" * length)) for length in (LONGEST, 1, 16_383, 1, 16_384)]
+    malformed = [(Item.MALFORMED, None)]
+    assert found == [[], malformed, [], malformed, malformed]
+    assert list(reader.items(b"\rz\r")) == [(Item.DONE, None)]
 
 
 @given(st.binary(max_size=400), any_frames())
@@ -124,7 +145,19 @@ def test_whatever_came_before_the_next_line_is_read(noise: bytes, message: can.M
         (b"\r", Item.DONE),
         (b"z\r", Item.DONE),
         (b"Z\r", Item.DONE),
+        (b"\r\n", Item.DONE),
+        (b"\nz\r\n", Item.DONE),
+        (b"Z\n", Item.DONE),
         (b"\a", Item.FAILED),
+        (b"\a\n", Item.FAILED),
+        (b"S8\r", Item.ECHO),
+        (b"C\r\n", Item.ECHO),
+        (b"O\n", Item.ECHO),
+        (b"F\r", Item.ECHO),
+        (b"S9\r", Item.MALFORMED),
+        (b"CC\r", Item.MALFORMED),
+        (b"C\a", Item.MALFORMED),
+        (b"z \r", Item.MALFORMED),
         (b"F24\r", Item.STATUS),
         (b"F2\r", Item.MALFORMED),
         (b"F123\r", Item.MALFORMED),

@@ -12,6 +12,7 @@ import supervised
 from safety_table import constants
 from supervised import (
     ARM,
+    BUSY,
     CABLES,
     DRIVES,
     DRUM,
@@ -330,10 +331,15 @@ def one_drive(index: int, **values: int) -> Callable[[Observation], None]:
     return spoil
 
 
+#: Of a base drive: 5 and 39 objects, each written and read; two requests repeated; two restarts.
+LONGEST_TASK = (2 * 44 + 2) * 2 * int(NUMBERS["TB_ANSWER_TIMEOUT"]) + 3 * STATE_TIMEOUT
 first_base, last_base = partial(one_drive, CABLES), partial(one_drive, DRIVES - 1)
 WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
     # where, what the drives say for ever, the cause, its culprit, cycles
-    ("INIT NONE", stuck(task=0), "DRIVE_MISSING", 0, 64 * int(NUMBERS["TB_ANSWER_TIMEOUT"])),
+    ("INIT NONE", last_base(task=0), "DRIVE_MISSING", DRIVES - 1, LONGEST_TASK),
+    ("CONFIGURE CONTRACT", first_base(progress=1), "DRIVE_MISSING", 4, LONGEST_TASK),
+    ("CONFIGURE START", first_base(task=0), "DRIVE_MISSING", 4, LONGEST_TASK),
+    ("CONFIGURE START", last_base(silent=2), "DRIVE_LOCAL", DRIVES - 1, STATE_TIMEOUT),
     ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
     ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, STATE_TIMEOUT),
     ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, STATE_TIMEOUT),
@@ -447,11 +453,70 @@ FAILURES = [
     ("IDENTIFY NONE", Failure.TWICE, "DRIVE_TWICE"),
     ("CONFIGURE CONTRACT", Failure.ABORT, "DRIVE_SETUP"),
     ("CONFIGURE CONTRACT", Failure.TWICE, "DRIVE_TWICE"),
+    ("INIT NONE", Failure.RESTARTED, "DRIVE_MISSING"),
+    ("IDENTIFY NONE", Failure.SIZE, "DRIVE_DIFFERENT"),
+    ("CONFIGURE CONTRACT", Failure.RESTARTED, "DRIVE_SETUP"),
+    ("CONFIGURE START", Failure.RESTARTED, "DRIVE_SETUP"),
     ("CONFIGURE START", Failure.SILENT, "DRIVE_SETUP"),
     ("HOME CABLE_MODE", Failure.ABORT, "DRIVE_SETUP"),
     ("HOME BASE_MODE", Failure.DIFFERENT, "DRIVE_SETUP"),
     ("HOME BASE_WORK_MODE", Failure.ABORT, "DRIVE_SETUP"),
 ]
+
+
+def spoiled(bus: int, malformed: int) -> Callable[[Observation], None]:
+    """Something malformed on a bus, or nothing, while the drives' tasks go on."""
+
+    def spoil(seen: Observation) -> None:
+        stuck(progress=BUSY)(seen)
+        seen.buses[bus].malformed = malformed
+
+    return spoil
+
+
+def unheard(machine: Machine, index: int) -> Callable[[Observation], None]:
+    """A drive's task has failed for want of an answer."""
+
+    def fail(seen: Observation) -> None:
+        report = seen.drives[index]
+        report.task, report.progress = machine.orders.drives[index].task, FAILED
+        report.failure = Failure.SILENT
+
+    return fail
+
+
+@pytest.mark.parametrize("moment", ["INIT NONE", "IDENTIFY NONE"])
+@pytest.mark.parametrize(("bus", "blamed"), [(2, ("BUS_CORRUPT", 2)), (1, ("DRIVE_MISSING", 4))])
+def test_a_bus_that_delivered_malformed_frames_is_blamed_for_a_drive_that_was_not_heard(
+    stock_at: At, moment: str, bus: int, blamed: tuple[str, int]
+) -> None:
+    machine = stock_at(moment)
+    machine.step(spoiled(bus, 1))
+    machine.run(50, spoil=spoiled(bus, 0))
+    assert machine.orders.cause == Cause.NONE
+    machine.step(unheard(machine, CABLES))
+    assert (Cause(machine.orders.cause).name, machine.orders.culprit) == blamed
+
+
+def test_a_malformed_frame_of_an_earlier_state_is_not_held_against_the_bus(stock_at: At) -> None:
+    machine = stock_at("INIT NONE")
+    machine.step(spoiled(2, 1))
+    machine.step(spoiled(2, 0))
+    machine.run(500, lambda orders: orders.state == State.IDENTIFY)
+    machine.step(unheard(machine, CABLES))
+    assert Cause(machine.orders.cause).name == "DRIVE_MISSING"
+
+
+def test_a_bus_that_takes_no_frames_in_init_is_not_excused_from_malformed_ones(
+    stock_at: At,
+) -> None:
+    machine = stock_at("INIT NONE")
+
+    def spoil(seen: Observation) -> None:
+        seen.buses[1].refused = seen.buses[1].malformed = 1
+
+    machine.run(int(NUMBERS["TB_MISSED_LIMIT"]) + 1, spoil=spoil)
+    assert Cause(machine.orders.cause).name == "BUS_CORRUPT"
 
 
 @pytest.mark.parametrize(("moment", "failure", "cause"), FAILURES)

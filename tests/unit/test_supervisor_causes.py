@@ -13,6 +13,7 @@ from supervised import CABLES, FAILED, STOP, Failure, Machine, Moments, Observat
 NUMBERS = constants(supervised.STOCK)
 TABLE = {row.cause: row for row in rows()}
 Spoil = Callable[[Observation], None]
+RAIL_TORQUE = NUMBERS["TB_RAIL_TORQUE_LIMIT"]
 CULPRIT = 1
 """The cable, drive or bus that is spoiled."""
 
@@ -59,6 +60,8 @@ def jump(distance: float) -> Spoil:
 SYMPTOMS: dict[str, list[Spoil]] = {
     "REQUESTED": [loop(requests=STOP)],
     "STRANGER": [bus(stranger=17)],
+    "DRIVE_LOCAL": [drive(silent=2)],
+    "OTHER_MASTER": [bus(stranger=0x81), bus(stranger=0x80)],
     "DRIVE_SILENT": [drive(silent=1), drive(missed=3, fresh=0)],
     "DRIVE_LATE": [drive(late=3)],
     "DRIVE_FAULT": [
@@ -116,7 +119,7 @@ def applies(row: Row, moment: str) -> bool:
     """Whether a cause can be found at a moment."""
     if moment.split()[0] not in row.states or (row.cause, moment) in EXCEPTIONS:
         return False
-    judged = row.cause in {"DRIVE_SILENT", "DRIVE_LATE", "DRIVE_FAULT", "DRIVE_STATE"}
+    judged = row.cause.startswith("DRIVE_") and row.cause not in ELSEWHERE
     needs_messages = judged or row.cause == "ENCODER_JUMP"
     return not (needs_messages and moment in BEFORE_MESSAGES)
 
@@ -334,7 +337,7 @@ def test_a_base_that_is_pushed_in_vain_is_blocked(
 
     def hold(_: Observation) -> None:
         machine.rails[2], machine.rates[2] = held, 0.0
-        pushed.append(abs(machine.orders.drives[CABLES + 2].torque) > 0.95 * NUMBERS["TB_RAIL_TORQUE_LIMIT"])
+        pushed.append(abs(machine.orders.drives[CABLES + 2].torque) > 0.95 * RAIL_TORQUE)
         if moment == "RUN NONE":
             machine.handle = (machine.handle[0] + 5e-5, machine.handle[1])
 
@@ -342,6 +345,25 @@ def test_a_base_that_is_pushed_in_vain_is_blocked(
     machine.handle = (0.39, 0.21)
     assert found == ("HARD_STOP", "BASE_BLOCKED", CABLES + 2)
     assert sum(pushed) == int(NUMBERS["TB_BLOCKED_CYCLES"]) + 1
+
+
+def test_bases_that_follow_positions_are_judged_by_the_torque_they_tell() -> None:
+    machine, saved = supervised.moments("position")
+    machine.restore(saved["RUN NONE"])
+
+    def tell(torque: float, swap: bool) -> Spoil:
+        signs = itertools.cycle((1, 1, -1, -1)) if swap else itertools.repeat(1)
+
+        def spoil(seen: Observation) -> None:
+            seen.drives[CABLES + 1].torque = seen.drives[CABLES + 2].torque = torque * next(signs)
+
+        return spoil
+
+    machine.run(200, spoil=tell(0.94 * RAIL_TORQUE, swap=False))
+    machine.run(200, spoil=tell(RAIL_TORQUE, swap=True))
+    assert machine.orders.cause == 0
+    found = ended(machine, tell(RAIL_TORQUE, swap=False), 100)
+    assert found == ("HARD_STOP", "BASE_BLOCKED", CABLES + 1)  # the first of two
 
 
 @pytest.mark.parametrize("moment", ["HOME SWEEP", "TENSION APPROACH", "RUN NONE"])

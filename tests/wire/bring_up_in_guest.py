@@ -3,7 +3,7 @@
 Three runs of the executable: one from power-on to work and softly back, one that is killed while it
 pulls the cables, one that loses an interface then. Prints what each was like, as JSON.
 
-    python tests/wire/bring_up_in_guest.py PROGRAM BENCH PACE
+    python tests/wire/bring_up_in_guest.py PROGRAM BENCH
 """
 
 import ctypes
@@ -21,9 +21,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from lab.bus_tap import SetpointWatch
-from lab.drives.runner import Runner
-from lab.live.simulated import Application, Bench, open_port, running
-from lab.live.telemetry import Telemetry
+from lab.drives.simulated_clock import SimulatedClock
+from lab.live.simulated import Application, Bench, open_port
+from lab.live.telemetry import Telemetry, running
 from lab.live.words import STATES
 from lab.machine_sim import SimulatedMachine
 
@@ -66,20 +66,23 @@ class Told:
     setpoints: int = 0
     findings: list[str] = field(default_factory=list)
     """What was wrong with them."""
-    skipped: int = 0
-    """Cycles of the drives for which there was no time."""
 
 
 class Run:
     """One run of the executable, on drives that stay as they are from one run to the next."""
 
-    def __init__(self, program: Path, world: SimulatedMachine, pace: int) -> None:
+    process: "subprocess.Popen[bytes]"
+
+    def __init__(self, world: SimulatedMachine) -> None:
         self.world, self.told = world, Told()
         self._telemetry: Telemetry | None = None
+
+    def start(self, program: Path, clock: str) -> None:
+        """Start the executable, which lives by a clock."""
         SHARED.unlink(missing_ok=True)
-        pairs = zip(world.buses, INTERFACES, strict=True)
+        pairs = zip(self.world.buses, INTERFACES, strict=True)
         buses = [f"--bus={bus.name}=socketcan:{interface}" for bus, interface in pairs]
-        options = ["--arm", "--seal", f"--pace={pace}", f"--telemetry={SHARED}"]
+        options = ["--arm", "--seal", f"--clock={clock}", f"--telemetry={SHARED}"]
         with (HERE / "said").open("wb") as said:
             self.process = subprocess.Popen([program, *buses, *options], stdout=said, stderr=said)
 
@@ -112,8 +115,8 @@ class Run:
 
     def await_cycles(self, count: int) -> Script:
         """So many cycles of the drives."""
-        end = self.world.world.time + (count - 0.5) * self.world.period
-        while self.world.world.time < end:
+        end = self.world.time + (count - 0.5) * self.world.period
+        while self.world.time < end:
             yield
 
     def look_at_drives(self) -> None:
@@ -155,6 +158,7 @@ def killed(run: Run) -> Script:
     yield from run.await_state("HOME")
     yield from run.await_pull()
     run.process.kill()
+    run.process.wait()
     yield from run.await_cycles(AFTERWARDS)
     run.look_at_drives()
 
@@ -188,27 +192,28 @@ class Stage(Application):
     def __init__(self, world: SimulatedMachine, script: Script) -> None:
         super().__init__(world, SHARED)
         self._script = script
-        self._until_look = LOOKS
-        self.is_over = False
+        self._stretch = LOOKS * world.period
+        self._next = self.time + self._stretch
+        self._is_over = False
 
-    def advance(self) -> None:
-        """Let one control cycle pass."""
-        super().advance()
-        self._until_look -= 1
-        if self._until_look == 0:
-            self._until_look = LOOKS
-            self.is_over = next(self._script, self) is self
+    def run_until(self, time: float) -> None:
+        """Let simulated time [s] pass; every LOOKS cycles the script goes on."""
+        super().run_until(time)
+        if self.time >= self._next - 1e-9 and not self._is_over:
+            self._next += self._stretch
+            self._is_over = next(self._script, self) is self
 
-    def ask(self) -> bool:
-        """Whether the script is at its end."""
-        return self.is_over
+    def play(self, clock: SimulatedClock) -> None:
+        """Keep the program's time while it runs, then go on without it to the script's end."""
+        clock.run(lambda: self._is_over)
+        while not self._is_over:
+            self.run_until(self._next)
 
 
 def main() -> None:
     """Run all scripts."""
     program = Path(shutil.copy(sys.argv[1], HERE / "turnbuckle"))
     bench: Bench = pickle.loads(Path(sys.argv[2]).read_bytes())
-    pace = int(sys.argv[3])
     ports = [open_port(interface) for interface in INTERFACES]
     world = bench.power_on()
     ctypes.CDLL(None).mlockall(CURRENT_AND_FUTURE)  # nothing is read from the host from here on
@@ -216,12 +221,13 @@ def main() -> None:
     for script in (stopped, killed, unplugged):
         watch = SetpointWatch(bench.machine)
         watch.listen(world.buses)
-        run = Run(program, world, pace)
+        run = Run(world)
         stage = Stage(world, script(run))
-        runner = Runner(stage, ports, pace)
-        runner.run(stage.ask)
+        clock = SimulatedClock(stage, ports, bench.machine.supervision.compute_time)
+        run.start(program, clock.path)
+        stage.play(clock)
+        clock.close()
         run.told.setpoints, run.told.findings = watch.seen, watch.findings
-        run.told.skipped = runner.skipped
         told[script.__name__] = asdict(run.finish())
     for port in ports:
         port.shutdown()

@@ -8,6 +8,9 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Self
 
+RESET_COMMUNICATION = b"t000282"
+"""The beginning of the line that resets a drive's communication; its node follows."""
+
 
 class SerialLine:
     """A serial line: a device for a program to open, and its far end for the test."""
@@ -93,7 +96,10 @@ def connected(one: SerialLine, other: SerialLine) -> FarEnd:
 
 
 class Adapter:
-    """An adapter that answers each command as it is told to, and keeps what it heard."""
+    """An adapter that answers each command as it is told to, and keeps what it heard.
+
+    answers: to the commands that begin with these letters; otherwise: to all others.
+    """
 
     def __init__(self, line: SerialLine, answers: dict[bytes, bytes], otherwise: bytes) -> None:
         self.heard: list[bytes] = []
@@ -105,4 +111,31 @@ class Adapter:
         *lines, self._begun = (self._begun + text).split(b"\r")
         for command in lines:
             self.heard.append(command)
-            self._line.write(self._answers.get(command[:1], self._otherwise))
+            self.hear(command)
+
+    def hear(self, command: bytes) -> None:
+        """Answer a command."""
+        self._line.write(self._answers.get(command[:1], self._otherwise))
+
+
+class BootingDrives(Adapter):
+    """An adapter with drives behind it that boot when they are told to, and do nothing else.
+
+    spoken: what becomes of a line that the adapter writes, without its end.
+    """
+
+    def __init__(
+        self,
+        line: SerialLine,
+        end: bytes = b"\r",
+        spoken: Callable[[bytes], bytes] = lambda text: text,
+    ) -> None:
+        super().__init__(line, {}, b"")
+        self._end, self._spoken = end, spoken
+
+    def hear(self, command: bytes) -> None:
+        """Acknowledge; a drive whose communication is reset boots."""
+        self._line.write(self._end)
+        if command.startswith(RESET_COMMUNICATION):
+            node = command[len(RESET_COMMUNICATION) :].lower()
+            self._line.write(self._spoken(b"t7" + node + b"100") + self._end)

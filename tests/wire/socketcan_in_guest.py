@@ -1,23 +1,34 @@
 """The SocketCAN driver on a kernel that has CAN: run by test_socketcan.py inside the guest.
 
-Not collected by itself: it needs vcan0 and vcan1, root, and interfaces that it may take down.
+Not collected by itself: it needs vcan0 to vcan2, root, interfaces that it may take down, and a
+serial port that nobody listens to.
 """
 
+import ctypes
 import fcntl
 import os
 import socket
 import struct
 import subprocess
+import termios
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
 
 import can
 import pytest
-from can_ports import Filter, Frame, Result, Slcan, Socketcan, State, same
+from can_ports import CAN, ROOT, Filter, Frame, Result, Slcan, Socketcan, State, same
+from running import BUSES, Running, running
 from serial_line import SerialLine, connected
+
+from codegen.compile import compile_library
+from lab.live.program import RUNTIME, compile_machine
+from lab.live.words import STATES
 
 PATIENCE = 10.0
 """s, after which what did not come will not: the guest is slow."""
+SERIAL_PORT = "/dev/ttyS1"
 LINE_DISCIPLINE_SLCAN = 17
 TIOCSETD = 0x5423
 ERROR_FLAG = 0x20000000
@@ -344,3 +355,76 @@ def test_our_slcan_and_the_kernel_s_understand_each_other(
         assert adapter.statistics.malformed == 0
         interface.close()
         adapter.close()
+
+
+STOCK = ROOT / "generated" / "yoon2023"
+
+
+@cache
+def program() -> Path:
+    """The executable of the stock machine."""
+    return compile_machine(STOCK)
+
+
+def await_that(run: Running, holds: Callable[[], bool]) -> None:
+    """Wait until something is so."""
+    end = time.monotonic() + 60
+    while not holds():
+        assert run.process.poll() is None, run.process.communicate()
+        assert time.monotonic() < end, run.telemetry.status()["cause"]
+        time.sleep(0.01)
+
+
+def test_a_program_opens_an_interface_that_came_back_at_a_reset() -> None:
+    pairs = zip(BUSES, ("vcan0", "vcan1", "vcan2"), strict=True)
+    buses = [f"--bus={bus}=socketcan:{interface}" for bus, interface in pairs]
+
+    def cause() -> str:
+        text: str = run.telemetry.status()["cause"].decode()
+        return text
+
+    with running(program(), buses) as run:
+        run.await_cycles(5)
+        ip("link", "set", "vcan1", "down")
+        run.await_state(STATES.index("FAULT"))
+        await_that(run, lambda: cause().endswith("bring it back, then reset: that opens it again"))
+        assert cause().startswith("bus cable2: ")
+        run.telemetry.ask("reset")
+        await_that(
+            run, lambda: "socketcan:vcan1 cannot be opened again: the interface is" in cause()
+        )
+        ip("link", "set", "vcan1", "up")
+        run.telemetry.ask("reset")
+        await_that(run, lambda: "did not boot" in cause())
+        assert [int(bus["state"]) for bus in run.telemetry.status()["buses"]] == [0, 0, 0]
+
+
+@cache
+def sealed_library() -> ctypes.CDLL:
+    """The ports, and what a sealed program does with one at its end."""
+    port = RUNTIME / "port" / "linux"
+    own = [Path(__file__).with_name("sealed_close.c"), port / "seal.c", port / "say.c"]
+    folders = [STOCK, CAN, RUNTIME / "core", port]
+    return ctypes.CDLL(str(compile_library([*own, *sorted(CAN.glob("*.c"))], folders)))
+
+
+def test_a_sealed_program_closes_a_serial_port_that_still_holds_bytes() -> None:
+    watch = os.open(SERIAL_PORT, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    termios.tcflow(watch, termios.TCOOFF)
+    port = Slcan()
+    assert port.open(SERIAL_PORT) is Result.OK
+    assert port.send(FRAMES[0]) is Result.OK
+    assert waiting(watch) > 0
+    child = os.fork()
+    if child == 0:
+        sealed_library().seal_and_close(port.memory)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    assert waiting(watch) == 0
+    port.close()
+    os.close(watch)
+
+
+def waiting(device: int) -> int:
+    """Bytes that a serial port has not sent yet."""
+    (count,) = struct.unpack("i", fcntl.ioctl(device, termios.TIOCOUTQ, bytes(4)))
+    return int(count)

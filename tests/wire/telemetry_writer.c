@@ -15,7 +15,7 @@ static void fill(uint64_t value, size_t bytes, void *record)
 
 int main(int argc, char *argv[])
 {
-    tb_telemetry_file *const file = (argc == 3) ? tb_telemetry_open(argv[1], 1) : NULL;
+    tb_telemetry_file *const file = (argc == 3) ? tb_telemetry_open(argv[1], false) : NULL;
     if (file == NULL) {
         return 2;
     }

@@ -1,5 +1,6 @@
 """Set-up of a drive: the contract in its order, every difference found and named."""
 
+from collections.abc import Callable
 from ctypes import byref
 from typing import Any
 
@@ -14,7 +15,9 @@ from hypothesis import strategies as st
 C = canopen_c()
 ROWS = rows(C)
 CABLE, BASE = ROWS[0], ROWS[-1]
-TIMEOUT = 3000
+TIMEOUT = 5000
+ANSWER_TIMEOUT, STATE_TIMEOUT, SETTLE = 500, 2000, 50
+"""Cycles: TB_ANSWER_TIMEOUT, TB_STATE_TIMEOUT of the stock machine, SETTLE_CYCLES of setup.c."""
 
 
 class Bench:
@@ -31,16 +34,30 @@ class Bench:
         table = C.variable("tb_drives")[row.number]
         C.tb_setup_start(byref(self.setup), byref(table))
 
+    def alter_answers(self, change: Callable[[bytes, int], bytes]) -> None:
+        """Change the frame of every answer to a read, told the size of the object."""
+        give, sizes = self.wire.take, self.drive.sizes
+
+        def changed() -> list[Frame]:
+            frames = give()
+            for number, frame in enumerate(frames):
+                if frame.id == 0x580 + self.row.node and frame.data[0] & 0xE2 == 0x42:
+                    key = (int.from_bytes(frame.data[1:3], "little"), frame.data[3])
+                    frames[number] = Frame(frame.id, change(frame.data, sizes[key]))
+            return frames
+
+        self.wire.take = changed  # type: ignore[method-assign]
+
     def order(self, task: str, mode: str = "NONE") -> None:
         """Order a task."""
         C.tb_setup_order(
             byref(self.setup), getattr(C, f"TB_TASK_{task}"), getattr(C, f"TB_MODE_{mode}")
         )
 
-    def run(self, task: str, mode: str = "NONE") -> str:
+    def run(self, task: str, mode: str = "NONE", most: int = TIMEOUT) -> str:
         """Let a task come to its end: the name of its progress."""
         self.order(task, mode)
-        for _ in range(TIMEOUT):
+        for _ in range(most):
             self.cycle()
             if self.progress != "BUSY":
                 break
@@ -75,7 +92,7 @@ class Bench:
     @property
     def failure(self) -> tuple[str, int, int, int]:
         """Failure, index, subindex, detail."""
-        names = ["NONE", "SILENT", "ABORT", "DIFFERENT", "TWICE"]
+        names = ["NONE", "SILENT", "ABORT", "DIFFERENT", "TWICE", "SIZE", "RESTARTED"]
         setup = self.setup
         return names[setup.failure], setup.index, setup.subindex, setup.detail
 
@@ -164,7 +181,177 @@ def test_an_object_of_another_length_is_different_whatever_it_holds() -> None:
     bench.cycle()
     bench.take(Frame(0x580 + CABLE.node, frame))
     bench.cycle()
-    assert bench.failure == ("DIFFERENT", 0x1018, 1, CABLE.identity[0].value & 0xFF)
+    assert bench.failure == ("SIZE", 0x1018, 1, 1)
+
+
+# ---- Answers of other drives ----
+
+
+def untold(data: bytes, size: int) -> bytes:
+    """Without a size; what is beyond the object is undefined."""
+    return b"\x42" + data[1 : 4 + size] + b"\xa5\x5a\xa5"[: 4 - size]
+
+
+def always_four(data: bytes, size: int) -> bytes:
+    """Four bytes for any object, the rest zero."""
+    return b"\x43" + data[1 : 4 + size] + bytes(4 - size)
+
+
+def extended(data: bytes, size: int) -> bytes:
+    """Four bytes for any object, extended by its sign."""
+    rest = b"\xff" if data[3 + size] & 0x80 else b"\0"
+    return b"\x43" + data[1 : 4 + size] + rest * (4 - size)
+
+
+ANSWERS = (untold, always_four, extended)
+
+
+@pytest.mark.parametrize("change", ANSWERS)
+@pytest.mark.parametrize("row", [CABLE, BASE], ids=["cable", "base"])
+def test_a_drive_that_tells_no_size_or_always_four_bytes_is_set_up(
+    row: Row, change: Callable[[bytes, int], bytes]
+) -> None:
+    bench = Bench(row)
+    bench.alter_answers(change)
+    for task in ("RESET", "IDENTIFY", "CONFIGURE", "START"):
+        assert bench.run(task) == "DONE", bench.failure
+    assert bench.run("MODE", "HOMING") == "DONE"
+
+
+@pytest.mark.parametrize("change", ANSWERS)
+def test_what_such_a_drive_holds_is_compared_still(
+    change: Callable[[bytes, int], bytes],
+) -> None:
+    for number, entry in enumerate(BASE.contract):
+        bench = Bench(BASE)
+        bench.alter_answers(change)
+        bench.alter(number, entry.value ^ 0x01, BASE.contract)
+        assert bench.run("CONFIGURE") == "FAILED"
+        assert bench.failure == expected(entry, entry.value ^ 0x01)
+
+
+@pytest.mark.parametrize("rest", [b"\1\0", b"\0\1", b"\xff\xff", b"\0\xff"])
+def test_bytes_beyond_an_object_that_are_neither_zero_nor_its_sign_are_a_difference(
+    rest: bytes,
+) -> None:
+    bench = Bench(CABLE)
+    bench.alter_answers(lambda data, size: b"\x43" + (data[1:6] + rest) if size == 2 else data)
+    entry = next(entry for entry in CABLE.contract if entry.size == 2)
+    assert bench.run("CONFIGURE") == "FAILED"
+    found = entry.value | int.from_bytes(rest, "little") << 16
+    assert bench.failure == expected(entry, found)
+    assert found != entry.value
+
+
+def in_segments(bench: Bench, told: bool, segment_told: bool) -> None:
+    """Let the drive answer every read in segments."""
+    take, give, kept = bench.wire.take, bench.wire.give, [b"", b""]
+
+    def segmented() -> list[Frame]:
+        frames = take()
+        for number, frame in enumerate(frames):
+            if frame.id == 0x580 + bench.row.node and frame.data[0] & 0xE2 == 0x42:
+                size = 4 - (frame.data[0] >> 2 & 3)
+                kept[0] = frame.data[4 : 4 + size]
+                head = bytes([0x41, *frame.data[1:4], size, 0, 0, 0])
+                frames[number] = Frame(frame.id, head if told else b"\x40" + head[1:4] + bytes(4))
+        frames += [Frame(0x580 + bench.row.node, kept[1])] if kept[1] else []
+        kept[1] = b""
+        return frames
+
+    def asked(frame: Frame) -> None:
+        if frame.id == 0x600 + bench.row.node and frame.data[0] & 0xE0 == 0x60:
+            unused = (7 - len(kept[0])) << 1 if segment_told else 0
+            kept[1] = bytes([unused | 1]) + kept[0].ljust(7, b"\x77" if told else b"\0")
+        else:
+            give(frame)
+
+    bench.wire.take, bench.wire.give = segmented, asked  # type: ignore[method-assign]
+
+
+@pytest.mark.parametrize(
+    ("told", "last"), [(True, True), (True, False), (False, True), (False, False)]
+)
+def test_a_drive_that_answers_in_segments_is_set_up(told: bool, last: bool) -> None:
+    bench = Bench(BASE)
+    in_segments(bench, told, last)
+    for task in ("IDENTIFY", "CONFIGURE"):
+        assert bench.run(task) == "DONE", bench.failure
+
+
+# ---- Answers that are late or lost ----
+
+
+def answer_late(bench: Bench, cycles: int) -> None:
+    """Every SDO answer takes so many cycles."""
+    take, under_way = bench.wire.take, [[] for _ in range(cycles)]  # type: ignore[var-annotated]
+
+    def late() -> list[Frame]:
+        frames = take()
+        is_sdo = 0x580 + bench.row.node
+        under_way.append([frame for frame in frames if frame.id == is_sdo])
+        return [frame for frame in frames if frame.id != is_sdo] + under_way.pop(0)
+
+    bench.wire.take = late  # type: ignore[method-assign]
+
+
+@pytest.mark.parametrize("cycles", [1, ANSWER_TIMEOUT // 2, ANSWER_TIMEOUT - 1])
+def test_answers_that_are_in_time_take_as_long_as_they_take(cycles: int) -> None:
+    bench = Bench(BASE)
+    answer_late(bench, cycles)
+    assert bench.run("CONFIGURE", most=10**6) == "DONE"
+    assert bench.setup.repeats == 0
+
+
+def test_answers_that_are_always_too_late_are_silence_at_the_object_that_was_asked_for() -> None:
+    bench = Bench(BASE)
+    answer_late(bench, ANSWER_TIMEOUT + 1)
+    assert bench.run("CONFIGURE", most=10**6) == "FAILED"
+    failure, index, subindex, _ = bench.failure
+    assert failure == "SILENT"
+    assert (index, subindex) == (BASE.contract[0].index, BASE.contract[0].subindex)
+
+
+@pytest.mark.parametrize("lost", ["request", "answer"])
+@pytest.mark.parametrize("numbers", [{0}, {1}, {0, 1}, {7, 30}, {40, 41}])
+def test_a_frame_that_gets_lost_is_asked_for_again(lost: str, numbers: set[int]) -> None:
+    bench = Bench(BASE)
+    lose(bench, lost, numbers)
+    assert bench.run("CONFIGURE", most=10**5) == "DONE"
+    assert (bench.setup.repeats, bench.setup.sdo.extra) == (len(numbers), 0)
+    wanted = [((entry.index, entry.subindex), entry.value) for entry in BASE.contract]
+    assert [
+        one for n, one in enumerate(bench.drive.written) if one != bench.drive.written[n - 1]
+    ] == wanted
+
+
+def test_a_third_frame_that_gets_lost_in_one_task_is_silence() -> None:
+    bench = Bench(BASE)
+    lose(bench, "answer", {3, 20, 50})
+    assert bench.run("CONFIGURE", most=10**5) == "FAILED"
+    assert bench.failure[0] == "SILENT"
+    lose(bench, "answer", set())
+    bench.order("NONE")
+    assert bench.run("CONFIGURE", most=10**5) == "DONE"
+
+
+def lose(bench: Bench, what: str, numbers: set[int]) -> None:
+    """Requests or answers of these numbers, counted from 0, get lost."""
+    count, give, take = iter(range(10**6)), bench.wire.give, bench.wire.take
+    request, answer = 0x600 + bench.row.node, 0x580 + bench.row.node
+
+    def is_lost(frame: Frame, identifier: int) -> bool:
+        is_abort = frame.data[:1] == b"\x80"
+        return frame.id == identifier and not is_abort and next(count) in numbers
+
+    if what == "request":
+        bench.wire.give = (  # type: ignore[method-assign]
+            lambda frame: None if is_lost(frame, request) else give(frame)
+        )
+    else:
+        bench.wire.take = lambda: [  # type: ignore[method-assign]
+            frame for frame in take() if not is_lost(frame, answer)
+        ]
 
 
 @pytest.mark.parametrize("code", [0x06020000, 0x06090030, 0x08000022, 0x0F00FFC0])
@@ -190,7 +377,7 @@ def test_a_drive_that_does_not_answer_is_silent_at_the_object_it_was_asked_for()
     assert bench.failure == ("SILENT", CABLE.contract[0].index, CABLE.contract[0].subindex, 0)
 
 
-@pytest.mark.parametrize("task", ["RESET", "IDENTIFY", "CONFIGURE", "MODE"])
+@pytest.mark.parametrize("task", ["IDENTIFY", "CONFIGURE", "MODE"])
 def test_two_drives_with_one_number_are_found_out(task: str) -> None:
     bench = Bench(CABLE)
     bench.answers = 2
@@ -212,27 +399,82 @@ def test_a_boot_up_message_from_before_the_reset_is_no_second_drive() -> None:
     assert bench.run("RESET") == "DONE"
 
 
-def test_a_reset_is_waited_for_a_while_longer_than_the_boot_up_message() -> None:
+@pytest.mark.parametrize("after", [0, 1, 49, 200, 1900])
+def test_a_drive_that_boots_twice_is_waited_for(after: int) -> None:
     bench = Bench(CABLE)
     bench.order("RESET")
     bench.cycle()
-    bench.cycle()
     assert (bench.heartbeat.boots, bench.progress) == (1, "BUSY")
+    for _ in range(min(after, SETTLE)):
+        bench.cycle()
     bench.take(Frame(0x700 + CABLE.node, b"\0"))
-    bench.cycle()
-    assert (bench.progress, bench.failure[0]) == ("FAILED", "TWICE")
+    for _ in range(SETTLE if after < SETTLE else 0):
+        bench.cycle()
+        assert bench.progress == "BUSY"
+    for task in ("RESET", "IDENTIFY", "CONFIGURE", "START"):
+        assert bench.run(task) == "DONE", bench.failure
 
 
-def test_a_drive_that_restarts_while_it_is_configured_is_found_out() -> None:
+def boots_late(bench: Bench, cycles: int) -> None:
+    """Every boot-up message of the drive comes so many cycles later."""
+    take, under_way = bench.wire.take, [[] for _ in range(cycles)]  # type: ignore[var-annotated]
+
+    def late() -> list[Frame]:
+        frames = take()
+        boots = [frame for frame in frames if frame == Frame(0x700 + bench.row.node, b"\0")]
+        under_way.append(boots)
+        return [frame for frame in frames if frame not in boots] + under_way.pop(0)
+
+    bench.wire.take = late  # type: ignore[method-assign]
+
+
+@pytest.mark.parametrize(
+    ("cycles", "result"),
+    [(STATE_TIMEOUT // 2, "DONE"), (STATE_TIMEOUT - 1, "DONE"), (STATE_TIMEOUT + 2, "FAILED")],
+)
+def test_a_boot_up_message_may_come_late_within_the_time_for_it(cycles: int, result: str) -> None:
+    bench = Bench(CABLE)
+    boots_late(bench, cycles)
+    assert bench.run("RESET") == result
+    assert bench.failure[0] == ("NONE" if result == "DONE" else "SILENT")
+
+
+def test_a_drive_that_boots_again_and_again_is_given_up() -> None:
+    bench = Bench(CABLE)
+    bench.order("RESET")
+    for cycle in range(3 * STATE_TIMEOUT):
+        if cycle % SETTLE == SETTLE // 2:
+            bench.take(Frame(0x700 + CABLE.node, b"\0"))
+        bench.cycle()
+    assert (bench.progress, bench.failure[0]) == ("FAILED", "RESTARTED")
+
+
+def test_a_second_boot_up_message_that_is_late_does_not_keep_it_from_being_identified() -> None:
     bench = Bench(CABLE)
     assert bench.run("RESET") == "DONE"
-    bench.order("CONFIGURE")
+    bench.order("IDENTIFY")
+    bench.cycle()
+    bench.take(Frame(0x700 + CABLE.node, b"\0"))
+    assert bench.run("IDENTIFY") == "DONE"
+    bench.take(Frame(0x700 + CABLE.node, b"\0"))
+    bench.cycle()
+    assert bench.run("CONFIGURE") == "DONE"
+
+
+@pytest.mark.parametrize("task", ["CONFIGURE", "START"])
+def test_a_drive_that_restarts_once_its_configuration_has_begun_is_found_out(task: str) -> None:
+    bench = Bench(CABLE)
+    assert bench.run("RESET") == "DONE"
+    if task == "START":
+        assert bench.run("CONFIGURE") == "DONE"
+    bench.answered = False
+    bench.order(task)
     for _ in range(20):
         bench.cycle()
     bench.drive.boot()
     for _ in range(3):
         bench.cycle()
-    assert (bench.progress, bench.failure[0]) == ("FAILED", "TWICE")
+    assert (bench.progress, bench.failure[0]) == ("FAILED", "RESTARTED")
 
 
 def test_a_drive_is_started_once_its_heartbeat_says_so_and_it_answered() -> None:

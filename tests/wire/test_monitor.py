@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -11,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from running import PATIENCE, Lines, Running, running, silent_lines
+from running import PATIENCE, Lines, Running, running, shared_file, silent_lines
 from typer.testing import CliRunner, Result
 
 from lab.live.program import compile_machine
@@ -63,8 +64,18 @@ def test_one_picture_shows_state_drives_buses_and_times(watched: Running, stock_
     assert shown.exit_code == 0
     for words in ("yoon2023", "FAULT", "did not boot", "cable_1", "base_4", "cable2"):
         assert words in shown.stdout
-    for words in ("frames/s", "missed", "wake-up late", "computing", "3 to 10 N"):
+    for words in ("frames/s", "missed", "in simulated time", "3 to 10 N"):
         assert words in shown.stdout
+    assert "wake-up late" not in shown.stdout
+
+
+def test_a_program_in_real_time_shows_how_well_it_keeps_it(program: Path, lines: Lines) -> None:
+    with running(program, lines.real_time_options) as run:
+        run.await_cycles(20)
+        shown = turnbuckle("monitor", "yoon2023", "--once", "--telemetry", run.telemetry.path)
+    for words in ("frames/s", "missed", "wake-up late", "computing"):
+        assert words in shown.stdout
+    assert "in simulated time" not in shown.stdout
 
 
 def test_a_name_is_enough_to_watch(watched: Running) -> None:
@@ -97,7 +108,8 @@ def test_the_program_of_another_hash_is_refused(
 
 def test_no_telemetry_is_told_with_what_to_do(tmp_path: Path) -> None:
     path = tmp_path / "none"
-    assert_refused(turnbuckle("monitor", "yoon2023", "--telemetry", path), str(path), "run")
+    shown = turnbuckle("monitor", "yoon2023", "--once", "--telemetry", path)
+    assert_refused(shown, str(path), "turnbuckle run")
 
 
 def test_keys_reach_the_program_and_q_leaves(watched: Running) -> None:
@@ -119,6 +131,38 @@ def test_keys_reach_the_program_and_q_leaves(watched: Running) -> None:
         assert process.wait() == 0
     assert b"yoon2023" in seen
     os.close(screen)
+
+
+def watch(path: Path) -> "subprocess.Popen[str]":
+    """A monitor without a keyboard."""
+    command = [sys.executable, str(ROOT / "turnbuckle.py"), "monitor", "yoon2023"]
+    return subprocess.Popen(
+        [*command, f"--telemetry={path}"],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )
+
+
+@pytest.mark.parametrize("before", ["nothing", "a program that has ended"])
+def test_a_monitor_that_comes_first_says_for_what_it_waits_and_then_watches(
+    program: Path, lines: Lines, before: str
+) -> None:
+    if before != "nothing":
+        with running(program, lines.options, keep=True) as run:
+            run.await_cycles(1)
+    path = shared_file(keep=True)
+    with watch(path) as monitor:
+        assert monitor.stdout is not None
+        first = monitor.stdout.readline()
+        assert str(path) in first and "turnbuckle run" in first
+        with running(program, lines.options) as run:
+            run.await_state(STATES.index("FAULT"))
+            run.end(signal.SIGTERM)
+            shown = monitor.stdout.read()
+        assert monitor.wait() == 0
+    assert "cable_1" in shown and "the program has ended" in shown
 
 
 def read_until(screen: int, words: bytes) -> bytes:
@@ -170,7 +214,6 @@ def test_run_refuses_a_machine_without_buses() -> None:
     ("options", "words"),
     [
         (["--sim", "--bus", "cable1=slcan:a"], "--bus is for real adapters"),
-        (["--pace", "2"], "only with --sim"),
         (["--sim", "--seconds", "0"], "a positive number of seconds"),
         (["--sim", "--seconds", "nan"], "a positive number of seconds"),
     ],
@@ -189,3 +232,51 @@ def test_run_hands_on_what_the_program_says(stock_file: Path, program: Path) -> 
     )
     assert done.returncode == 2
     assert "the bus cable1 is missing" in done.stderr
+
+
+def start_run(file: Path, program: Path, lines: Lines, *options: str) -> "subprocess.Popen[str]":
+    """`turnbuckle run` on lines without drives, in real time."""
+    command = [sys.executable, str(ROOT / "turnbuckle.py"), "run", str(file)]
+    words = [f"--program={program}", f"--telemetry={shared_file()}", *lines.real_time_options]
+    return subprocess.Popen(
+        [*command, *words, *options],
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )
+
+
+def test_a_run_of_so_many_seconds_ends_with_the_cause_after_a_fault(
+    program: Path, stock_file: Path, lines: Lines
+) -> None:
+    with start_run(stock_file, program, lines, "--seconds=100000") as run:
+        told, complaints = run.communicate(timeout=PATIENCE)
+    assert run.returncode == 1
+    assert re.search(r" s  FAULT\n.* s +drive \w+ .* did not boot", told)
+    assert "did not boot" in complaints.splitlines()[-1]
+
+
+def test_a_run_without_end_tells_the_cause_at_once_and_waits_for_a_reset(
+    program: Path, stock_file: Path, lines: Lines
+) -> None:
+    with start_run(stock_file, program, lines) as run:
+        told = read_told(run, "did not boot")
+        asked = turnbuckle("monitor", "yoon2023", "--reset", "--telemetry", shared_file(keep=True))
+        assert asked.exit_code == 0
+        again = read_told(run, "INIT")
+        run.send_signal(signal.SIGINT)
+        rest, _complaints = run.communicate(timeout=PATIENCE)
+    assert "FAULT" in told and "FAULT" not in again
+    assert "stopping" in rest and run.returncode == 0
+
+
+def read_told(run: "subprocess.Popen[str]", words: str) -> str:
+    """What a run tells, until it says so."""
+    assert run.stdout is not None
+    told = ""
+    while words not in told:
+        line = run.stdout.readline()
+        assert line, told
+        told += line
+    return told

@@ -2,19 +2,31 @@
 
 import math
 import struct
-from ctypes import addressof, byref
+import tomllib
+from collections.abc import Callable
+from ctypes import addressof, byref, c_void_p
+from functools import cache
+from pathlib import Path
+from random import Random
 from typing import Any
 
+import jinja2
+import numpy as np
 import pytest
 from canopen_bench import Bench
-from canopen_c import Frame, canopen_c
+from canopen_c import ROOT, SOURCES, Canopen, Frame, canopen_c
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
+from codegen.bus.drives import drive_fields
+from codegen.generate import TEMPLATES
+from model.machine import machine_from
 
 C = canopen_c()
 CABLE, BASE = 0, 4
 """Drives: the first of its bus, at 1 kHz and at 500 Hz."""
 SLOW_BUS = 2
+STOCK = ROOT / "machines" / "yoon2023.toml"
 HEARTBEAT_CYCLES, HEARTBEAT_TIMEOUT = 10, 100
 
 
@@ -266,13 +278,26 @@ def test_a_drive_that_is_no_longer_operational_is_silent(running: Bench, state: 
     assert fields(running, "silent") == [1] + [0] * 7
 
 
-def test_a_drive_that_no_longer_follows_the_bus_is_silent(running: Bench) -> None:
+def test_a_drive_under_local_control_says_so_until_it_says_nothing(running: Bench) -> None:
     mine = (0, 0x181)
     running.answers = lambda *sent: (
         [status(1, 0x0037)] if (sent[0], sent[1].id) == mine else [sent[1]]
     )
     running.cycle()
-    assert fields(running, "silent") == [1] + [0] * 7
+    assert fields(running, "silent") == [C.TB_SILENCE_LOCAL] + [0] * 7
+    silence(running, CABLE, 0x700)
+    running.cycle(HEARTBEAT_TIMEOUT + 1)
+    assert fields(running, "silent") == [C.TB_SILENCE_UNHEARD] + [0] * 7
+
+
+@pytest.mark.parametrize("period", [10, 40])
+def test_a_heartbeat_at_half_or_twice_its_period_is_no_silence(running: Bench, period: int) -> None:
+    silence(running, CABLE, 0x700)
+    for cycle in range(4 * HEARTBEAT_TIMEOUT):
+        if cycle % period == 0:
+            running.give(0, Frame(0x701, b"\5"))
+        running.cycle()
+        assert fields(running, "silent") == [0] * 8
 
 
 def test_an_emergency_stands_until_it_is_cleared(running: Bench) -> None:
@@ -434,13 +459,246 @@ def test_a_drive_of_another_bus_is_a_stranger_on_this_one(running: Bench) -> Non
     assert [bus.stranger for bus in running.seen.buses] == [3, 0, 0]
 
 
-@pytest.mark.parametrize("identifier", [0x000, 0x080, 0x100, 0x201, 0x304, 0x601, 0x77F])
-def test_a_second_master_is_named_by_the_number_of_a_master(
-    running: Bench, identifier: int
-) -> None:
-    running.give(0, Frame(identifier, b"\5"))
+MASTERS = {
+    "NMT": Frame(0x000, b"\x82\1"),
+    "SYNC": Frame(0x080, b""),
+    "TIME": Frame(0x100, bytes(6)),
+    "setpoint": Frame(0x201, bytes(4)),
+    "another PDO": Frame(0x304, b"\5"),
+    "SDO": Frame(0x601, b"\x40\0\x10\0\0\0\0\0"),
+    "heartbeat": Frame(0x77F, b"\5"),
+}
+
+
+@pytest.mark.parametrize("frame", MASTERS.values(), ids=MASTERS)
+def test_another_master_is_named_with_what_it_said(running: Bench, frame: Frame) -> None:
+    running.give(0, frame)
     running.cycle()
-    assert running.seen.buses[0].stranger == 127
+    assert [bus.stranger for bus in running.seen.buses] == [0x80 | frame.id >> 7, 0, 0]
+    running.cycle()
+    assert running.seen.buses[0].stranger == 0
+
+
+# ---- Adapters that echo ----
+
+
+class Echo:
+    """An adapter that sends the master's frames back, some cycles later; `loses` says which not."""
+
+    def __init__(self, bench: Bench, late: int = 0, loses: Callable[[int], bool] = bool) -> None:
+        self.bench, self.loses, self.sent = bench, loses, 0
+        self.waiting: list[list[list[Frame]]] = [[[], [], []] for _ in range(late)]
+        carry = bench.carry
+
+        def echoing() -> list[list[Frame]]:
+            self.waiting.append(carry())
+            for bus, frames in enumerate(self.waiting.pop(0)):
+                for frame in frames:
+                    self.sent += 1
+                    if not self.loses(self.sent):
+                        bench.give(bus, frame)
+            return self.waiting[-1] if self.waiting else [[], [], []]
+
+        bench.carry = echoing  # type: ignore[method-assign]
+
+
+def never(number: int) -> bool:
+    """No frame is lost."""
+    return False
+
+
+def strangers(bench: Bench, cycles: int) -> set[int]:
+    """Who is named in so many cycles."""
+    named: set[int] = set()
+    for _ in range(cycles):
+        bench.cycle()
+        named |= {bus.stranger for bus in bench.seen.buses}
+    return named - {0}
+
+
+@pytest.mark.parametrize("late", [0, 1, 8])
+def test_an_adapter_that_echoes_is_no_other_master(bench: Bench, late: int) -> None:
+    named: set[int] = set()
+    Echo(bench, late, never)
+    collect = bench.collect
+
+    def watched() -> None:
+        collect()
+        named.update(bus.stranger for bus in bench.seen.buses)
+
+    bench.collect = watched  # type: ignore[method-assign]
+    bench.enable()
+    bench.order(goal=C.TB_GOAL_ENABLED, torque=0.01)
+    bench.cycle(300)
+    assert named == {0}
+    assert fields(bench, "missed") == [0] * 8
+
+
+def test_an_adapter_that_loses_an_echo_now_and_then_is_no_other_master(bench: Bench) -> None:
+    chance = Random(1)
+    Echo(bench, 0, lambda number: chance.random() < 0.05)
+    bench.enable()
+    assert strangers(bench, 300) == set()
+
+
+@pytest.mark.parametrize("frame", MASTERS.values(), ids=MASTERS)
+def test_behind_an_adapter_that_echoes_another_master_is_named_still(
+    bench: Bench, frame: Frame
+) -> None:
+    Echo(bench, 0, never)
+    bench.enable()
+    bench.give(0, frame, frame)
+    assert strangers(bench, 1) == {0x80 | frame.id >> 7}
+
+
+def test_another_sync_at_the_same_rate_is_no_echo(bench: Bench) -> None:
+    """Each is like one that the master sent, but nothing else comes back."""
+    bench.enable()
+    sync = bench.sync
+
+    def doubled() -> None:
+        sync()
+        bench.give(0, Frame(0x080, b""))
+
+    bench.sync = doubled  # type: ignore[method-assign]
+    assert strangers(bench, 1) == {0x81}
+
+
+def test_another_sync_from_power_on_is_named_before_there_is_torque(bench: Bench) -> None:
+    carry = bench.carry
+    named: set[int] = set()
+
+    def heard() -> list[list[Frame]]:
+        sent = carry()
+        for frame in sent[0]:
+            if frame.id == 0x080:
+                bench.give(0, frame)
+        named.update(bus.stranger for bus in bench.seen.buses)
+        return sent
+
+    bench.carry = heard  # type: ignore[method-assign]
+    bench.bring_up()
+    bench.cycle(30)
+    assert 0x81 in named
+
+
+# ---- Nodes that are no drives ----
+
+
+def test_the_frames_of_other_nodes_in_the_machine_file_are_none_of_our_business(
+    tmp_path: Path,
+) -> None:
+    library = Canopen(sources_of(with_other_nodes(tmp_path)), folders=[tmp_path])
+    bench = Bench(library)
+    bench.enable()
+    known = [Frame(0x194, bytes(8)), Frame(0x210, b"\1"), Frame(0x094, bytes(8))]
+    bench.give(2, *known, Frame(0x714, b"\0"), Frame(0x714, b"\5"))
+    bench.cycle()
+    assert [(bus.stranger, bus.malformed) for bus in bench.seen.buses] == [(0, 0)] * 3
+    bench.give(2, Frame(0x294, bytes(8)))
+    bench.give(1, known[0])
+    bench.cycle()
+    assert [bus.stranger for bus in bench.seen.buses] == [0, 20, 20]
+
+
+def with_other_nodes(folder: Path) -> Path:
+    """The stock machine with an I/O node on its third bus: its tb_drives.h and .c."""
+    tables = tomllib.loads(STOCK.read_text())
+    frames = [{"id": id, "length": 8, "period": "100 ms"} for id in (0x194, 0x210, 0x094)]
+    tables["node"] = [{"name": "io", "bus": "base", "node": 20, "frames": frames}]
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES))
+    given = drive_fields(machine_from(tables, STOCK))
+    for name in ("tb_drives.h", "tb_drives.c"):
+        text = environment.get_template(f"{name}.jinja").render(banner="", **given)
+        (folder / name).write_text(text)
+    return folder
+
+
+def sources_of(folder: Path) -> list[Path]:
+    """Of the network, with the tables of a folder."""
+    return [folder / "tb_drives.c", *(file for file in SOURCES if file.name != "tb_drives.c")]
+
+
+# ---- Counts ----
+
+STARTS = [0, 1, 16_777_216, 2**31 - 2000, 2**31 - 1, -(2**31), -1_234_567_890]
+
+
+def wrapped(count: int) -> int:
+    """As 32 bits hold it."""
+    return (count + 2**31) % 2**32 - 2**31
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("start", STARTS)
+def test_a_cable_is_measured_from_where_its_drive_was_first_seen(
+    precision: str, start: int
+) -> None:
+    bench = Bench(network_in(precision))
+    for drive in bench.drives:
+        drive.position = wrapped(start)
+    bench.enable()
+    cable, row = bench.drives[CABLE], bench.rows[CABLE]
+    turned = 0
+    for step in (0, 1, 4095, -70_000, 2**31 - 1 - 66_000, 40_000, -(2**31) + 2):
+        turned = wrapped(turned + step)
+        cable.position = wrapped(start + turned)
+        bench.cycle(2)
+        unit = row.table.metres_per_increment
+        expected = in_precision(precision, in_precision(precision, turned) * unit)
+        assert bench.seen.drives[CABLE].position == expected
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("start", STARTS)
+def test_a_base_is_measured_by_its_own_count_from_its_homing_on(precision: str, start: int) -> None:
+    bench = Bench(network_in(precision))
+    base, row = bench.drives[BASE], bench.rows[BASE]
+    base.position = wrapped(start)
+    bench.bring_up()
+    assert bench.seen.drives[BASE].position == 0
+    base.position = wrapped(start + 100)
+    bench.cycle(4)
+    unit = row.table.metres_per_increment
+    assert bench.seen.drives[BASE].position == in_precision(precision, 100 * unit)
+    bench.task("MODE", mode=C.TB_MODE_HOMING)
+    base.position = -321  # where homing put it
+    bench.task("MODE", mode=C.TB_MODE_TORQUE)
+    bench.cycle(4)
+    assert bench.seen.drives[BASE].position == in_precision(precision, -321 * unit)
+    bench.task("RESET")
+    for name in ("CONFIGURE", "START"):
+        bench.task(name)
+    bench.cycle(4)
+    assert bench.seen.drives[BASE].position == 0
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_a_position_is_asked_for_in_the_drives_own_counts(running: Bench, start: int) -> None:
+    link, drive = running.network.links[CABLE], running.drives[CABLE]
+    table = C.new("tb_drive_table")
+    table.node, table.mode, table.metres_per_increment = 1, 1, 0.5
+    table.increments_per_metre, table.torque_per_permille = 2.0, 1.0
+    link.drive, link.counts = addressof(table), C.TB_COUNTING_UNKNOWN
+    drive.position = wrapped(start)
+    running.cycle(2)
+    link.setup.mode = C.TB_MODE_POSITION
+    for wanted in (0.0, 1000.0, -1000.0):
+        running.order(position=wanted, task=C.TB_TASK_NONE)
+        running.cycle()
+        (frame,) = [frame for frame in running.dispatched[0] if frame.id == 0x201]
+        assert struct.unpack("<Hi", frame.data)[1] == wrapped(start + int(2 * wanted))
+
+
+@cache
+def network_in(precision: str) -> Canopen:
+    """The network in a precision."""
+    return C if precision == "double" else Canopen(precision=precision)
+
+
+def in_precision(precision: str, value: float) -> float:
+    """The nearest number of a precision."""
+    return float(np.float32(value)) if precision == "float" else float(value)
 
 
 @pytest.mark.parametrize(
@@ -480,6 +738,35 @@ def test_extended_and_remote_frames_are_malformed(running: Bench, flags: int) ->
     running.cycle()
     assert running.seen.buses[0].malformed == 1
     assert running.seen.drives[CABLE].power == C.TB_POWER_ENABLED
+
+
+@pytest.mark.parametrize(("more", "reported"), [(0, 0), (1, 1), (255, 255), (1000, 255)])
+def test_what_a_port_could_not_read_is_malformed(running: Bench, more: int, reported: int) -> None:
+    running.loops[1].port.statistics.malformed += more
+    running.cycle()
+    assert [bus.malformed for bus in running.seen.buses] == [0, reported, 0]
+    running.cycle()
+    assert [bus.malformed for bus in running.seen.buses] == [0, 0, 0]
+
+
+def test_what_came_before_the_start_is_an_older_story(running: Bench) -> None:
+    running.loops[0].port.statistics.malformed = 7
+    running.give(0, Frame(0x7E4, bytes(8)), Frame(0x711, b"\5"))
+    running.start((c_void_p * len(running.loops))(*map(addressof, running.loops)))
+    running.cycle()
+    assert [(bus.malformed, bus.stranger) for bus in running.seen.buses] == [(0, 0)] * 3
+
+
+def test_drives_of_a_bus_that_was_opened_again_are_brought_under_torque_again(
+    running: Bench,
+) -> None:
+    C.tb_loopback_set_state(byref(running.loops[1]), C.TB_CAN_NOT_OPEN)
+    running.cycle(HEARTBEAT_TIMEOUT + 20)
+    assert set(fields(running, "silent")[2:4]) == {1}
+    C.tb_loopback_open(byref(running.loops[1]))
+    running.order(task=C.TB_TASK_NONE, goal=C.TB_GOAL_FAULT_RESET)
+    running.enable()
+    assert set(fields(running, "silent")) == set(fields(running, "missed")) == {0}
 
 
 @pytest.mark.parametrize("state", ["BUS_OFF", "NOT_OPEN"])

@@ -1,4 +1,7 @@
-"""The control loop of the executable: time, stops, the seal, the watchdog."""
+"""The control loop of the executable: time, stops, the seal, the watchdog.
+
+In simulated time, but for what the computer's own clock is asked for.
+"""
 
 import itertools
 import os
@@ -23,6 +26,8 @@ FAULT = STATES.index("FAULT")
 PORT = RUNTIME / "port" / "linux"
 CYCLIC = {"clock_nanosleep", "clock_gettime", "read", "write", "ioctl"}
 """System calls that the loop may make: sleep, frames, the length of a line's queue."""
+CLOCKS = {"real": CYCLIC, "simulated": CYCLIC | {"sendto", "recvfrom"}}
+"""By the clock that the loop lives by."""
 
 
 @pytest.fixture(scope="module")
@@ -65,9 +70,11 @@ def test_a_signal_is_a_stop_that_was_asked_for(program: Path, lines: Lines, name
 
 
 def test_a_second_signal_ends_the_program_at_once(program: Path, lines: Lines) -> None:
-    with running(program, [*lines.options, "--pace=1000"]) as run:
-        run.process.send_signal(signal.SIGTERM)
-        run.process.send_signal(signal.SIGINT)
+    with running(program, lines.options) as run:
+        run.await_cycles(1)
+        with lines.standstill():
+            run.process.send_signal(signal.SIGTERM)
+            run.process.send_signal(signal.SIGINT)
         assert run.process.wait() == 1
         assert run.process.stderr is not None
         assert "ended at once" in run.process.stderr.read()
@@ -103,7 +110,7 @@ def test_a_line_that_disappears_is_a_fault_that_names_its_bus(program: Path, lin
 
 
 def test_a_stalled_program_counts_the_cycles_it_missed(program: Path, lines: Lines) -> None:
-    with running(program, lines.options) as run:
+    with running(program, lines.real_time_options) as run:
         run.await_cycles(50)
         before = run.telemetry.status()
         run.process.send_signal(signal.SIGSTOP)
@@ -128,7 +135,7 @@ def stopped_for(run: Running) -> None:
 def test_every_wake_up_and_every_computation_is_in_the_histogram(
     program: Path, lines: Lines
 ) -> None:
-    with running(program, [*lines.options, "--cycles=300"]) as run:
+    with running(program, [*lines.real_time_options, "--cycles=300"]) as run:
         run.process.wait()
         status = run.telemetry.status()
         for name in ("lateness", "computing"):
@@ -139,9 +146,18 @@ def test_every_wake_up_and_every_computation_is_in_the_histogram(
         assert_on_the_grid(run.telemetry)
 
 
-def test_a_sealed_program_runs_and_stops(program: Path, lines: Lines, tmp_path: Path) -> None:
+def options_of(lines: Lines, clock: str) -> list[str]:
+    """The buses, and a simulation's clock if it shall be that."""
+    return lines.options if clock == "simulated" else lines.real_time_options
+
+
+@pytest.mark.parametrize("clock", CLOCKS)
+def test_a_sealed_program_runs_and_stops(
+    program: Path, lines: Lines, tmp_path: Path, clock: str
+) -> None:
     dump = tmp_path / "dump"
-    with running(program, [*lines.options, "--seal", f"--record={dump}"]) as run:
+    options = options_of(lines, clock)
+    with running(program, [*options, "--seal", f"--record={dump}"]) as run:
         run.await_state(FAULT)  # bring-up, a fault and its words included
         status, out, err = run.end(signal.SIGTERM)
         assert status == 1, err
@@ -190,18 +206,22 @@ def test_the_seal_breaks_where_the_loop_does_what_it_must_not(
         assert run.process.wait() == -signal.SIGSYS
 
 
+@pytest.mark.parametrize(
+    ("clock", "sleep"), [("real", "clock_nanosleep"), ("simulated", "recvfrom")]
+)
 def test_strace_sees_only_sleep_and_frames_in_the_loop(
-    program: Path, lines: Lines, tmp_path: Path
+    program: Path, lines: Lines, tmp_path: Path, clock: str, sleep: str
 ) -> None:
     trace = tmp_path / "trace"
     wrapper = ["strace", "-f", "-o", str(trace)]
-    with running(program, [*lines.options, "--cycles=200", "--pace=20"], wrapper) as run:
+    with running(program, [*options_of(lines, clock), "--cycles=200"], wrapper) as run:
         run.process.wait()
     calls = [name for name in map(called, trace.read_text().splitlines()) if name]
-    first = calls.index("clock_nanosleep", calls.index("mlockall"))
-    last = len(calls) - 1 - calls[::-1].index("clock_nanosleep")
-    assert calls[first:last].count("clock_nanosleep") >= 400
-    assert set(calls[first:last]) <= CYCLIC
+    assert ("mlockall" in calls) == (clock == "real")
+    first = calls.index(sleep, calls.index("mlockall") if clock == "real" else 0)
+    last = len(calls) - 1 - calls[::-1].index(sleep)
+    assert calls[first:last].count(sleep) >= 400
+    assert set(calls[first:last]) <= CLOCKS[clock]
 
 
 def called(line: str) -> str | None:
@@ -210,8 +230,9 @@ def called(line: str) -> str | None:
     return match[1] if match else None
 
 
+@pytest.mark.parametrize("clock", CLOCKS)
 def test_the_watchdog_hears_of_complete_cycles_alone(
-    program: Path, lines: Lines, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    program: Path, lines: Lines, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, clock: str
 ) -> None:
     path = tmp_path / "notify"
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as systemd:
@@ -219,7 +240,7 @@ def test_the_watchdog_hears_of_complete_cycles_alone(
         systemd.settimeout(60)
         monkeypatch.setenv("NOTIFY_SOCKET", str(path))
         monkeypatch.setenv("WATCHDOG_USEC", "30000")
-        with running(program, lines.options) as run:
+        with running(program, options_of(lines, clock)) as run:
             assert [systemd.recv(100) for _ in range(3)] == [b"READY=1"] + [b"WATCHDOG=1"] * 2
             run.process.send_signal(signal.SIGSTOP)
             stopped_for(run)

@@ -64,7 +64,6 @@ def buses(**devices: str) -> list[str]:
         (["--cycles", "-1"], ["--cycles", '"-1"', "a whole number from 1"]),
         (["--cycles", "1e3"], ["--cycles", '"1e3"']),
         (["--cycles", "99999999999999999999"], ["--cycles", '"99999999999999999999"']),
-        (["--pace", "1001"], ["--pace", '"1001"', "1 to 1000"]),
         (["--priority", "100"], ["--priority", '"100"', "0 to 99"]),
         (["--cpu", "x"], ["--cpu", '"x"']),
         (["--cpu"], ["--cpu", "a value is missing"]),
@@ -90,10 +89,11 @@ def test_version_tells_machine_and_hash(program: Path, stock_folder: Path) -> No
 def test_help_names_every_option(program: Path) -> None:
     done = run(program, "--help")
     assert done.returncode == 0
-    for option in ("bus", "arm", "cycles", "record", "telemetry", "priority", "cpu", "pace"):
+    for option in ("bus", "arm", "cycles", "record", "telemetry", "priority", "cpu", "clock"):
         assert f"--{option}" in done.stdout
     for option in ("seal", "version", "help"):
         assert f"--{option}" in done.stdout
+    assert done.stdout.endswith("2 could not start.\n")  # not cut
 
 
 def test_a_device_that_is_not_there_is_named(program: Path, tmp_path: Path) -> None:
@@ -149,7 +149,7 @@ def test_without_real_time_rights_one_notice_says_how_to_get_them(
 ) -> None:
     for adapter in lines.adapters:
         os.chmod(adapter.path, 0o666)
-    options = [*lines.options, f"--telemetry={open_folder / 'shared'}", "--cycles=20"]
+    options = [*lines.real_time_options, f"--telemetry={open_folder / 'shared'}", "--cycles=20"]
     done = as_nobody(program, open_folder, *options)
     assert done.returncode == 0, done
     assert done.stderr.count("notice:") == 1 and done.stderr.count("\n") == 1
@@ -162,9 +162,20 @@ def test_priority_0_asks_for_no_rights_and_gives_no_notice(
 ) -> None:
     for adapter in lines.adapters:
         os.chmod(adapter.path, 0o666)
-    options = [*lines.options, f"--telemetry={open_folder / 'shared'}", "--cycles=20"]
+    options = [*lines.real_time_options, f"--telemetry={open_folder / 'shared'}", "--cycles=20"]
     done = as_nobody(program, open_folder, *options, "--priority=0")
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_simulation_waits_and_no_notice_asks_for_real_time_rights(
+    program: Path, open_folder: Path, lines: Lines
+) -> None:
+    for adapter in lines.adapters:
+        os.chmod(adapter.path, 0o666)
+    options = [*lines.options, f"--telemetry={open_folder / 'shared'}", "--cycles=20"]
+    done = as_nobody(program, open_folder, *options)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "late" not in done.stdout and "computing" not in done.stdout
 
 
 def test_a_processor_that_does_not_exist_is_named(

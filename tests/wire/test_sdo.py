@@ -169,7 +169,27 @@ def test_an_expedited_answer_without_a_size_holds_four_bytes(server: Server) -> 
     server.request()
     for frame in answers(b"\x42\x00\x20\x00abcd"):
         server.answer(frame)
-    assert (server.result, server.client.done) == ("DONE", 4)
+    assert (server.result, server.client.done, server.client.sized) == ("DONE", 4, 0)
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "size", "sized"),
+    [
+        (b"\x41\x00\x20\x00\x02", 0x0B, 2, 1),  # told twice
+        (b"\x41\x00\x20\x00\x02", 0x01, 2, 1),  # told at first, the segment does not
+        (b"\x40\x00\x20\x00", 0x0B, 2, 1),  # the segment alone tells
+        (b"\x40\x00\x20\x00", 0x01, 7, 0),  # nobody tells
+    ],
+)
+def test_a_short_object_in_segments_has_the_size_that_is_told(
+    server: Server, first: bytes, last: int, size: int, sized: int
+) -> None:
+    server.begin_upload(TEXT, 0, 8)
+    for frame in answers(first, bytes([last]) + b"abcdefg"):
+        server.request()
+        server.answer(frame)
+    assert (server.result, server.client.done, server.client.sized) == ("DONE", size, sized)
+    assert bytes(server._kept[:size]) == b"abcdefg"[:size]
 
 
 # ---- Aborts and time-outs ----
@@ -286,10 +306,10 @@ def test_an_answer_of_another_kind_is_an_error(server: Server, answer: int, flip
     assert server.aborted_with() == ABORT_COMMAND
 
 
-@pytest.mark.parametrize("told", [27, 29, 21, 34])
+@pytest.mark.parametrize("told", [26, 28, 21, 20, 34])
 def test_a_length_that_was_not_kept_is_an_error(server: Server, told: int) -> None:
-    server.node.data_store[TEXT] = {0: bytes(28)}
-    assert server.upload(TEXT, 0, change=spoiled(0, 4, 28 ^ told))[0] == "BROKEN"
+    server.node.data_store[TEXT] = {0: bytes(27)}
+    assert server.upload(TEXT, 0, change=spoiled(0, 4, 27 ^ told))[0] == "BROKEN"
     assert server.aborted_with() == ABORT_LENGTH
 
 
@@ -377,6 +397,27 @@ def test_the_late_answer_to_a_transfer_that_was_given_up_is_no_second_drive(
         server.answer(frame)
     assert (server.result, server.client.extra) == ("DONE", 0)
     for frame in answers(b"\x4f\x04\x20\x01\7"):
+        server.answer(frame)
+    assert server.client.extra == 1
+
+
+@pytest.mark.parametrize("late", [1, 2])
+def test_late_answers_to_requests_that_were_repeated_are_no_second_drive(
+    server: Server, late: int
+) -> None:
+    for _ in range(late):
+        server.begin_upload(NUMBER, 0, 4)
+        while server.request() is not None:
+            pass
+        for _ in range(TIMEOUT + 1):
+            C.tb_sdo_tick(byref(server.client))
+    server.begin_upload(NUMBER, 0, 4)
+    while server.request() is not None:
+        pass
+    for frame in answers(*[b"\x4b\x01\x20\x00\1\2"] * (late + 1)):
+        server.answer(frame)
+    assert (server.result, server.client.extra) == ("DONE", 0)
+    for frame in answers(b"\x4b\x01\x20\x00\1\2"):
         server.answer(frame)
     assert server.client.extra == 1
 

@@ -1,6 +1,7 @@
 """The slcan driver on a serial line: against python-can, against adapters, and when they fail."""
 
 import os
+import signal
 import time
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -22,6 +23,8 @@ MOST_BYTES_A_CALL = 4 * 1024
 """That one call reads, frames or not."""
 MESSAGE = can.Message(arbitration_id=0x201, data=[15, 0, 232, 3], is_extended_id=False)
 LINE = b"t20140F00E803\r"
+SILENT_ADAPTER = 0.4
+"""s, that an adapter which says nothing is given at least to answer."""
 
 
 @dataclass(frozen=True)
@@ -128,6 +131,84 @@ def test_an_adapter_that_says_nothing_is_taken_but_said_to_be_silent(opened: Slc
     assert not opened.answers
 
 
+@pytest.mark.parametrize("end", [b"\r", b"\r\n", b"\n\r", b"\r\r\n"])
+@pytest.mark.parametrize("word", [b"", b"z"])
+def test_an_adapter_is_understood_however_it_acknowledges(
+    line: SerialLine, end: bytes, word: bytes
+) -> None:
+    with FarEnd({line: Adapter(line, {}, word + end)}):
+        port = Slcan()
+        assert port.open(line.path) is Result.OK
+        assert port.answers
+        line.write(LINE[:-1] + end)
+        assert len(arrived(port, 1)) == 1
+        assert port.receive() is Result.EMPTY and port.statistics.malformed == 0
+        port.close()
+
+
+@pytest.mark.parametrize("answer", [b"\r\n", b"\a\n", b""])
+def test_an_adapter_that_repeats_commands_is_judged_by_its_answer(
+    line: SerialLine, answer: bytes
+) -> None:
+    with FarEnd({line: Adapter(line, {b"S": b"S8\r\n" + answer, b"O": b"O\r\n\r\n"}, b"C\r\n")}):
+        port = Slcan()
+        assert port.open(line.path) is (Result.BIT_RATE if b"\a" in answer else Result.OK)
+        line.write(b"F\r\nt0000\r\nF\r\n")
+        received = arrived(port, 1) if b"\a" not in answer else []
+        assert len(received) == (b"\a" not in answer) and port.statistics.malformed == 0
+        port.close()
+
+
+def test_opening_step_by_step_never_waits_and_ends_as_opening_at_once_does(
+    line: SerialLine,
+) -> None:
+    port, steps = Slcan(), 0
+    result = port.begin(line.path)
+    while result is Result.EMPTY:
+        assert port.state is State.NOT_OPEN and port.send(MESSAGE) is Result.CLOSED
+        result, steps = port.proceed(), steps + 1
+    assert result is Result.OK and port.state is State.ERROR_ACTIVE
+    assert steps > 100, "opening waited for the adapter"
+    assert port.proceed() is Result.OK
+    assert line.read() == b"C\rC\rS8\rO\r"
+    port.close()
+
+
+@pytest.mark.parametrize("heard", [b"C\rC\r", b"C\rC\rS8\r", b"C\rC\rS8\rO\r"])
+def test_a_line_that_hangs_up_while_it_is_opened_is_closed(line: SerialLine, heard: bytes) -> None:
+    port, text = Slcan(), b""
+    result = port.begin(line.path)
+    while text != heard and result is Result.EMPTY:
+        result = port.proceed()
+        text += line.read()
+    line.hang_up()
+    while result is Result.EMPTY:
+        result = port.proceed()
+    assert result is Result.CLOSED and port.state is State.NOT_OPEN
+    assert held(line.path) == 1, "the port holds what has gone, beside the near end"
+
+
+def held(path: str) -> int:
+    """Descriptors of this process for a device."""
+    files = Path("/proc/self/fd")
+    links = [os.readlink(file) for file in files.iterdir() if file.is_symlink()]
+    return sum(link.split()[0] == path for link in links)
+
+
+def test_signals_do_not_shorten_the_wait_for_an_adapter(line: SerialLine) -> None:
+    port = Slcan()
+    before = signal.signal(signal.SIGALRM, lambda *_: None)
+    signal.setitimer(signal.ITIMER_REAL, 0.002, 0.002)
+    begin = time.monotonic()
+    try:
+        assert port.open(line.path) is Result.OK
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert time.monotonic() - begin > SILENT_ADAPTER
+    port.close()
+
+
 def test_frames_and_answers_of_before_do_not_disturb_opening(line: SerialLine) -> None:
     with ExitStack() as stack:
         adapter_that(line, stack, C=b"t10021122\rz\r\a", S=b"t1000\r\r")
@@ -229,14 +310,18 @@ def test_a_line_that_nobody_reads_refuses_frames_and_never_breaks_one(
     assert text == LINE * (sent + 1)
 
 
-def test_frames_are_read_however_the_line_cuts_them(line: SerialLine, opened: Slcan) -> None:
-    for place in range(1, len(LINE)):
-        line.write(LINE + LINE[:place])
-        first = arrived(opened, 1)
-        assert opened.receive() is Result.EMPTY
-        line.write(LINE[place:])
-        assert len(first + arrived(opened, 1)) == 2
-    assert opened.statistics.malformed == 0
+@pytest.mark.parametrize("end", [b"\r", b"\r\n", b"0F5a\r\n"])
+def test_frames_are_read_however_the_line_cuts_them(
+    line: SerialLine, opened: Slcan, end: bytes
+) -> None:
+    text = LINE[:-1] + end
+    for place in range(1, len(text)):
+        line.write(text + text[:place])
+        found = arrived(opened, 1)
+        found += opened.waiting()
+        line.write(text[place:])
+        assert len(found + arrived(opened, 2 - len(found))) == 2
+    assert opened.receive() is Result.EMPTY and opened.statistics.malformed == 0
 
 
 def test_hundreds_of_frames_are_read_at_once_and_in_order(line: SerialLine, opened: Slcan) -> None:
@@ -248,6 +333,21 @@ def test_broken_lines_are_counted_and_skipped(line: SerialLine, opened: Slcan) -
     line.write(b"t2\r" + LINE + b"noise\xff\x00\r" + LINE + b"t20140F\a" + LINE)
     assert len(arrived(opened, 3)) == 3
     assert opened.statistics.malformed == 3
+
+
+@pytest.mark.parametrize("end", [b"\r\n", b"\n"])
+def test_broken_lines_are_counted_once_each_whatever_ends_them(
+    line: SerialLine, opened: Slcan, end: bytes
+) -> None:
+    line.write(end.join([b"t2", LINE[:-1], b"", b"noise\xff\x00", LINE[:-1], b"x" * 400, LINE]))
+    assert len(arrived(opened, 3)) == 3
+    assert opened.statistics.malformed == 3
+
+
+def test_noise_without_an_end_of_a_line_is_counted(line: SerialLine, opened: Slcan) -> None:
+    line.write(b"\xc3" * 1000)
+    assert opened.receive() is Result.EMPTY
+    assert opened.statistics.malformed == 1
 
 
 def test_an_adapter_that_never_stops_talking_does_not_hold_up_a_cycle(

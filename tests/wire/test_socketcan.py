@@ -8,18 +8,20 @@ from pathlib import Path
 import pytest
 from can_ports import Result, Socketcan, library
 from guest import GuestError, run_in_guest
+from socketcan_in_guest import program, sealed_library
 
 INSIDE = Path(__file__).with_name("socketcan_in_guest.py")
 TESTS = INSIDE.parents[1]
 
 
 def test_the_driver_does_what_it_says_on_a_kernel_with_can() -> None:
-    library()  # is compiled here, where files can be written
+    for compiled in (library, program, sealed_library):
+        compiled()  # here, where files can be written
     options = ["-q", "-x", "--color=no", "--noconftest", "-p", "no:cacheprovider"]
     options += ["-p", "quick_compiler"]
     done = run_in_guest(
         [sys.executable, "-m", "pytest", *options, INSIDE],
-        interfaces=["vcan0", "vcan1"],
+        interfaces=["vcan0", "vcan1", "vcan2"],
         environment={
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "PYTHONPATH": f"{TESTS.parent}:{TESTS}",

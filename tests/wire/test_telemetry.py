@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from codegen.compile import compile_program
-from lab.live import LiveError
+from lab.live import LiveError, NothingYetError
 from lab.live.program import FOLDERS, RUNTIME
-from lab.live.telemetry import BUS, COUNTS, DRIVE, Record, Telemetry, layout_of
+from lab.live.telemetry import BUS, COUNTS, DRIVE, Record, Telemetry, layout_of, rates
 
 WRITER = Path(__file__).with_name("telemetry_writer.c")
 PORT = RUNTIME / "port" / "linux"
@@ -179,11 +179,11 @@ def test_a_file_of_another_version_is_refused(written: Telemetry, path: Path) ->
     content = bytearray(path.read_bytes())
     content[8] += 1
     path.write_bytes(content)
-    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 2; allowed: 1"):
+    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 3; allowed: 2"):
         Telemetry(path)
 
 
-@pytest.mark.parametrize("content", [b"", b"TBTELEM\0", b"something else" * 100])
+@pytest.mark.parametrize("content", [b"TBTELEM\0", b"something else" * 100])
 def test_a_file_that_is_no_telemetry_is_refused(path: Path, content: bytes) -> None:
     path.write_bytes(content)
     with pytest.raises(LiveError, match=f"{path}: found .*; allowed: telemetry of a turnbuckle"):
@@ -203,5 +203,29 @@ def test_a_file_whose_layout_is_another_is_refused(
 
 
 def test_no_file_says_how_to_start_a_program(path: Path) -> None:
-    with pytest.raises(LiveError, match=f"{path}: no program has written telemetry here"):
+    with pytest.raises(NothingYetError, match=f"{path}: no program has written telemetry here"):
         Telemetry(path)
+
+
+def test_a_file_of_which_only_the_beginning_is_made_is_still_to_come(
+    written: Telemetry, path: Path
+) -> None:
+    content = path.read_bytes()
+    for half in (b"", bytes(8), bytes(8) + content[8:]):
+        path.write_bytes(half)
+        with pytest.raises(NothingYetError):
+            Telemetry(path)
+
+
+def test_rates_on_a_bus_are_in_the_machine_s_own_time(written: Telemetry) -> None:
+    before = written.status()
+    after = before.copy()
+    after["published"] += 90
+    after["missed"] += 10  # time that passed as well
+    after["buses"]["sent"] += 200
+    after["buses"]["received"] += 300
+    after["buses"]["bits"] += 50_000
+    after["buses"]["bit_rate"] = before["buses"]["bit_rate"] = 1_000_000
+    for rate in rates(before, after, 0.001):
+        assert rate == pytest.approx((5000.0, 0.5))
+    assert all(rate == (0.0, 0.0) for rate in rates(after, after, 0.001))

@@ -1,5 +1,6 @@
 """What a master hears from power-on to work, recorded in lockstep, to be run without drives."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,13 +8,10 @@ from numpy.typing import NDArray
 
 from codegen.bind import Generated
 from lab.demo import plan_task, plant_of
-from lab.drives.bus import Listener
-from lab.drives.node import Frame
-from lab.lockstep import FRAME, Lockstep, State
+from lab.lockstep import Lockstep, State
 from lab.machine_sim import SimulatedMachine
 from model.reference.control import base_targets
 
-TPDO, LAST_TPDO = 0x180, 0x1FF
 LONGEST_BRING_UP = 60_000
 
 
@@ -22,7 +20,7 @@ class Cycles:
     """Cycles one after the other: what was wished, and the frames that came."""
 
     wishes: NDArray[np.void]
-    arrived: NDArray[np.uint32]  # (k, 2): in answer to SYNC, and after the setpoints
+    arrived: NDArray[np.uint32]  # (k, 2): when the answers were read, and by the cycle's end
     frames: bytes
     end: bytes
     """What is to be seen of the last of them."""
@@ -37,11 +35,9 @@ class Recorder:
         plant = plant_of(generated.machine)
         machine = SimulatedMachine(generated.machine, plant, task, rails)
         self._lockstep = Lockstep(generated, machine)
-        self._answers: list[bytes] = []
-        self._others: list[bytes] = []
-        for number, bus in enumerate(machine.buses):
-            bus.listeners.append(self._listener(number))
+        self._counts: list[int] = []
         self._forget()
+        self._lockstep.arrivals.append(self._keep_frames)
 
     def bring_up(self) -> Cycles:
         """From power-on to work."""
@@ -66,10 +62,9 @@ class Recorder:
     def _keep(self) -> None:
         """A cycle is over."""
         self._wishes.append(self._lockstep.wishes.copy())
-        self._arrived.append((len(self._answers), len(self._others)))
-        self._frames += self._answers + self._others
-        self._answers.clear()
-        self._others.clear()
+        answers, others = self._counts
+        self._arrived.append((answers, others))
+        self._counts.clear()
 
     def _kept(self) -> Cycles:
         kept = Cycles(
@@ -81,10 +76,6 @@ class Recorder:
         self._forget()
         return kept
 
-    def _listener(self, number: int) -> Listener:
-        def listen(frame: Frame, from_drive: bool) -> None:
-            if from_drive:
-                kept = self._answers if TPDO < frame.cob <= LAST_TPDO else self._others
-                kept.append(FRAME.pack(number, len(frame.data), frame.cob, frame.data))
-
-        return listen
+    def _keep_frames(self, packed: Sequence[bytes]) -> None:
+        self._counts.append(len(packed))
+        self._frames += packed

@@ -2,7 +2,7 @@
 #include "buses.h"
 
 #include <grp.h>
-#include <stddef.h>
+#include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,15 +11,19 @@
 /* No filter: a node that the machine file does not know shall be seen. */
 static const tb_socketcan_options every_frame;
 
-static tb_can_result open_port(tb_bus_ports *buses, size_t i, const char *device,
-                               tb_adapter adapter)
+static const char *adapter_of(const tb_bus_option *option)
 {
-    if (adapter == TB_ADAPTER_SLCAN) {
+    return (option->adapter == TB_ADAPTER_SLCAN) ? "slcan" : "socketcan";
+}
+
+static tb_can_result open_port(tb_bus_ports *buses, size_t i, const tb_bus_option *option)
+{
+    if (option->adapter == TB_ADAPTER_SLCAN) {
         buses->ports[i] = &buses->drivers[i].slcan.port;
-        return tb_slcan_open(&buses->drivers[i].slcan, device, tb_buses[i].bit_rate);
+        return tb_slcan_open(&buses->drivers[i].slcan, option->device, tb_buses[i].bit_rate);
     }
     buses->ports[i] = &buses->drivers[i].socketcan.port;
-    return tb_socketcan_open(&buses->drivers[i].socketcan, device, &every_frame);
+    return tb_socketcan_open(&buses->drivers[i].socketcan, option->device, &every_frame);
 }
 
 /* Name of the group that may use a device. */
@@ -45,7 +49,7 @@ static void say_permission(const char *bus, const tb_bus_option *option)
 
 static void say_why(const tb_bus_table *bus, const tb_bus_option *option, tb_can_result result)
 {
-    const char *const adapter = (option->adapter == TB_ADAPTER_SLCAN) ? "slcan" : "socketcan";
+    const char *const adapter = adapter_of(option);
     if (result == TB_CAN_NO_PERMISSION) {
         say_permission(bus->name, option);
     } else if (result == TB_CAN_DOWN) {
@@ -68,7 +72,7 @@ bool tb_buses_open(tb_bus_ports *buses, const tb_options *options)
 {
     for (size_t i = 0; i < TB_BUSES; i++) {
         const tb_bus_option *const option = &options->buses[i];
-        tb_can_result const result = open_port(buses, i, option->device, option->adapter);
+        tb_can_result const result = open_port(buses, i, option);
         if (result != TB_CAN_OK) {
             say_why(&tb_buses[i], option, result);
             close_first(buses, i);
@@ -76,6 +80,31 @@ bool tb_buses_open(tb_bus_ports *buses, const tb_options *options)
         }
     }
     return true;
+}
+
+/* What was counted goes on: to those who read the counters it is the same bus. */
+tb_can_result tb_buses_begin(tb_bus_ports *buses, size_t i, const tb_bus_option *option)
+{
+    tb_can_statistics const counted = buses->ports[i]->statistics;
+    tb_can_result result;
+    if (option->adapter == TB_ADAPTER_SLCAN) {
+        result = tb_slcan_begin(&buses->drivers[i].slcan, option->device, tb_buses[i].bit_rate);
+    } else {
+        result = tb_socketcan_open(&buses->drivers[i].socketcan, option->device, &every_frame);
+    }
+    buses->ports[i]->statistics = counted;
+    return result;
+}
+
+tb_can_result tb_buses_proceed(tb_bus_ports *buses, size_t i, const tb_bus_option *option)
+{
+    return (option->adapter == TB_ADAPTER_SLCAN) ? tb_slcan_proceed(&buses->drivers[i].slcan)
+                                                 : TB_CAN_OK;
+}
+
+void tb_buses_name(const tb_bus_option *option, size_t room, char name[])
+{
+    snprintf(name, room, "%s:%s", adapter_of(option), option->device);
 }
 
 void tb_buses_close(tb_bus_ports *buses)

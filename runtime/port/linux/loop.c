@@ -2,7 +2,6 @@
 
 #include <stddef.h>
 
-#include "clock.h"
 #include "publish.h"
 #include "stop.h"
 #include "tb_machine.h"
@@ -18,29 +17,29 @@ typedef struct {
     uint32_t missed; /* cycles skipped before it */
 } tb_grid;
 
-static tb_grid begin_grid(uint32_t pace)
+static tb_grid begin_grid(const tb_clock *clock)
 {
     tb_grid grid = {
-        .period = (int64_t)pace * (int64_t)(((double)TB_PERIOD * (double)TB_SECOND) + 0.5),
-        .phase = (int64_t)pace * TB_COMPUTE_PHASE * 1000,
+        .period = (int64_t)(((double)TB_PERIOD * (double)TB_SECOND) + 0.5),
+        .phase = (int64_t)TB_COMPUTE_PHASE * 1000,
     };
-    grid.begin = tb_clock_now() + grid.period;
+    grid.begin = tb_clock_now(clock) + grid.period;
     return grid;
 }
 
 /* Sleep until the next cycle that can still begin in time; the time at which it does. */
-static int64_t await_cycle(tb_grid *grid, tb_loop_times *times)
+static int64_t await_cycle(tb_clock *clock, tb_grid *grid, tb_loop_times *times)
 {
-    tb_clock_sleep_until(grid->begin);
-    int64_t now = tb_clock_now();
+    tb_clock_sleep_until(clock, grid->begin);
+    int64_t now = tb_clock_now(clock);
     tb_histogram_add(&times->lateness, now - grid->begin);
     grid->missed = 0;
     while (now - grid->begin > grid->period / 4) {
         int64_t const skipped = 1 + ((now - grid->begin - 1) / grid->period);
         grid->missed += (uint32_t)skipped;
         grid->begin += skipped * grid->period;
-        tb_clock_sleep_until(grid->begin);
-        now = tb_clock_now();
+        tb_clock_sleep_until(clock, grid->begin);
+        now = tb_clock_now(clock);
     }
     times->missed += grid->missed;
     times->longest_gap = (grid->missed > times->longest_gap) ? grid->missed : times->longest_gap;
@@ -66,6 +65,7 @@ static uint32_t arm_once(tb_loop *loop)
 static void wish(tb_loop *loop, tb_wishes *wishes)
 {
     tb_inbox_read(&loop->inbox, &loop->telemetry->inbox, wishes);
+    wishes->requests = tb_reopen(&loop->reopening, loop->master->orders.state, wishes->requests);
     if (is_stop_wished(loop)) {
         wishes->requests = TB_REQUEST_STOP;
         loop->stopping++;
@@ -76,17 +76,20 @@ static void wish(tb_loop *loop, tb_wishes *wishes)
 
 static void run_cycle(tb_loop *loop, tb_grid *grid)
 {
-    int64_t const began = await_cycle(grid, &loop->times);
+    int64_t const began = await_cycle(loop->clock, grid, &loop->times);
     tb_master_sync(loop->master);
-    tb_clock_sleep_until(began + grid->phase);
-    int64_t const woke = tb_clock_now();
+    tb_clock_sleep_until(loop->clock, began + grid->phase);
+    if (loop->clock->stopped) {
+        return; /* no answers have come, and none will */
+    }
+    int64_t const woke = tb_clock_now(loop->clock);
     tb_wishes wishes;
     wish(loop, &wishes);
     tb_master_run(loop->master, &wishes, grid->missed);
-    tb_histogram_add(&loop->times.computing, tb_clock_now() - woke);
+    tb_histogram_add(&loop->times.computing, tb_clock_now(loop->clock) - woke);
     tb_publish(loop, began);
     if (loop->master->supervisor.damaged == 0) {
-        tb_watchdog_feed(&loop->watchdog, began);
+        tb_watchdog_feed(&loop->watchdog);
     }
     loop->number++;
 }
@@ -109,7 +112,7 @@ static bool is_at_rest(const tb_master *master)
 
 tb_end tb_loop_run(tb_loop *loop)
 {
-    tb_grid grid = begin_grid(loop->options->pace);
+    tb_grid grid = begin_grid(loop->clock);
     tb_watchdog_ready(&loop->watchdog);
     while ((loop->stopping == 0) || !is_at_rest(loop->master)) {
         if (tb_stop_wished() > 1) {
@@ -117,6 +120,9 @@ tb_end tb_loop_run(tb_loop *loop)
         }
         if (loop->stopping > LONGEST_STOP) {
             return TB_END_NOT_OFF;
+        }
+        if (loop->clock->stopped) {
+            return TB_END_NO_TIME;
         }
         run_cycle(loop, &grid);
     }

@@ -10,9 +10,11 @@
 
 #include <stdbool.h>
 
+#include "clock.h"
 #include "inbox.h"
 #include "master.h"
 #include "options.h"
+#include "reopening.h"
 #include "telemetry.h"
 #include "watchdog.h"
 
@@ -20,17 +22,20 @@
 typedef enum {
     TB_END_OFF = 0, /* a stop was asked for, and every drive is off */
     TB_END_AT_ONCE, /* asked for a second time */
-    TB_END_NOT_OFF  /* a drive did not go off in time */
+    TB_END_NOT_OFF, /* a drive did not go off in time */
+    TB_END_NO_TIME  /* the clock has stopped */
 } tb_end;
 
 /** What the loop works with, and what it remembers. */
 typedef struct {
     const tb_options *options;
+    tb_clock *clock;
     tb_master *master;
     tb_can_port *const *ports; /* TB_BUSES of them */
     tb_telemetry_file *telemetry;
     tb_watchdog watchdog;
     tb_inbox inbox;
+    tb_reopening reopening;
     tb_loop_times times;
     uint64_t number;   /* of the cycle that runs */
     uint64_t stopping; /* cycles since a stop was wished */

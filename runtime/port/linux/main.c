@@ -2,12 +2,14 @@
 #include <stddef.h>
 
 #include "buses.h"
+#include "clock.h"
 #include "loop.h"
 #include "options.h"
 #include "realtime.h"
 #include "record.h"
 #include "report.h"
 #include "seal.h"
+#include "simulated_clock.h"
 #include "stop.h"
 #include "telemetry.h"
 
@@ -19,27 +21,45 @@
 typedef struct {
     tb_options options;
     tb_bus_ports buses;
+    tb_clock clock;
+    tb_simulated_clock simulated; /* with --clock: instead of the other one */
+    tb_can_port *const *ports;    /* what the master sees of the buses */
     tb_master master;
     tb_loop loop;
     tb_record record;
 } tb_program;
 
+static bool open_clock(tb_program *program)
+{
+    const char *const path = program->options.clock;
+    if (path == NULL) {
+        program->clock = tb_system_clock;
+        program->loop.clock = &program->clock;
+        program->ports = program->buses.ports;
+        return true;
+    }
+    program->loop.clock = &program->simulated.clock;
+    program->ports = program->simulated.ports;
+    return tb_simulated_clock_open(&program->simulated, path, program->buses.ports);
+}
+
 static bool prepare(tb_program *program)
 {
     tb_loop *const loop = &program->loop;
     *loop = (tb_loop){
-        .options = &program->options, .master = &program->master, .ports = program->buses.ports};
+        .options = &program->options, .master = &program->master, .ports = program->buses.ports,
+        .reopening = {.options = &program->options, .buses = &program->buses}};
     tb_stop_listen();
-    loop->telemetry = tb_telemetry_open(program->options.telemetry, program->options.pace);
+    loop->telemetry = tb_telemetry_open(program->options.telemetry, program->options.clock != NULL);
     return (loop->telemetry != NULL) && tb_watchdog_open(&loop->watchdog) &&
            tb_record_open(&program->record, program->options.record) &&
-           tb_buses_open(&program->buses, &program->options) &&
+           tb_buses_open(&program->buses, &program->options) && open_clock(program) &&
            tb_realtime_enter(&program->options) && (!program->options.seal || tb_seal());
 }
 
 static int run(tb_program *program)
 {
-    tb_master_start(&program->master, program->buses.ports);
+    tb_master_start(&program->master, program->ports);
     tb_end const end = tb_loop_run(&program->loop);
     bool const recorded = tb_record_write(&program->record, &program->master.recorder);
     int const status = tb_report(&program->loop, end);

@@ -32,26 +32,26 @@ static const char usage[] =
     "                    [default: /dev/shm/turnbuckle-" TB_MACHINE_NAME "]\n"
     "  --priority N      of SCHED_FIFO, 1 to 99; 0 for none [default: 80]\n"
     "  --cpu N           run on processor N alone\n"
-    "  --pace N          stretch every period N times: for simulated drives alone\n"
+    "  --clock PATH      live by the clock of a simulation, not by the computer's: for the simulated\n"
+    "                    drives of turnbuckle run --sim alone\n"
     "  --seal            allow no system call that the control loop does not need\n"
     "  --version         print the machine's name and hash\n"
     "  --help            print this\n"
     "\n"
     "SIGINT and SIGTERM stop the machine softly. Once more ends the program at once: then the\n"
     "drives miss its heartbeat, and switch themselves off.\n"
-    "Exit status: 0 stopped as asked, 1 stopped by a fault, 2 could not start.";
+    "Exit status: 0 stopped as asked, 1 stopped by a fault, 2 could not start.\n";
 
 static const struct option known[] = {
     {"bus", required_argument, NULL, 'b'},       {"arm", no_argument, NULL, 'a'},
     {"cycles", required_argument, NULL, 'n'},    {"record", required_argument, NULL, 'r'},
     {"telemetry", required_argument, NULL, 't'}, {"priority", required_argument, NULL, 'p'},
-    {"cpu", required_argument, NULL, 'c'},       {"pace", required_argument, NULL, 's'},
+    {"cpu", required_argument, NULL, 'c'},       {"clock", required_argument, NULL, 'k'},
     {"seal", no_argument, NULL, 'e'},            {"version", no_argument, NULL, 'v'},
     {"help", no_argument, NULL, 'h'},            {NULL, 0, NULL, 0}};
 
 static const tb_options defaults = {
     .telemetry = "/dev/shm/turnbuckle-" TB_MACHINE_NAME,
-    .pace = 1,
     .priority = DEFAULT_PRIORITY,
     .cpu = -1,
 };
@@ -80,16 +80,6 @@ static bool read_int(const char *option, const char *text, int low, int high, in
         return false;
     }
     *number = (int)value;
-    return true;
-}
-
-static bool read_pace(const char *text, uint32_t *pace)
-{
-    uint64_t value = 0;
-    if (!read_number("--pace", text, 1, TB_LARGEST_PACE, &value)) {
-        return false;
-    }
-    *pace = (uint32_t)value;
     return true;
 }
 
@@ -191,14 +181,15 @@ static bool read_value(int letter, const char *value, tb_options *options)
         return read_bus(value, options);
     case 'n':
         return read_number("--cycles", value, 1, INT64_MAX, &options->cycles);
-    case 's':
-        return read_pace(value, &options->pace);
     case 'p':
         return read_int("--priority", value, 0, TB_LARGEST_PRIORITY, &options->priority);
     case 'c':
         return read_int("--cpu", value, 0, TB_MOST_PROCESSORS - 1, &options->cpu);
     case 'r':
         options->record = value;
+        return true;
+    case 'k':
+        options->clock = value;
         return true;
     default:
         options->telemetry = value;
@@ -216,7 +207,7 @@ static tb_options_answer read_option(int letter, char *argv[], tb_options *optio
         options->seal = true;
         return TB_OPTIONS_RUN;
     case 'h':
-        tb_print("%s", usage);
+        tb_print_text(usage);
         return TB_OPTIONS_DONE;
     case 'v':
         tb_print("%s %s, %s", TB_MACHINE_NAME, TB_MACHINE_HASH, PRECISION);

@@ -7,7 +7,6 @@
 
 #include "tb_drives.h"
 
-#define TB_LARGEST_PACE 1000u
 #define TB_LARGEST_PRIORITY 99
 #define TB_MOST_PROCESSORS 1024
 
@@ -28,7 +27,7 @@ typedef struct {
     const char *telemetry;         /* path of the shared file */
     const char *record;            /* where the flight recorder is dumped; NULL for nowhere */
     uint64_t cycles;               /* run for so many, then stop; 0 for without end */
-    uint32_t pace;                 /* every period is stretched by this; 1 for real time */
+    const char *clock;             /* socket of a simulation that keeps time; NULL for real time */
     int priority;                  /* of SCHED_FIFO; 0 for none */
     int cpu;                       /* run on this one alone; -1 for any */
     bool arm;                      /* arm once, as soon as the machine waits for it */

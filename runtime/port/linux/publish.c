@@ -86,10 +86,12 @@ static tb_telemetry_bus count_bus(tb_can_port *port, const tb_bus_table *bus)
     };
 }
 
-static void tell_in_words(const tb_orders *orders, tb_telemetry_status *status)
+static void tell_in_words(const tb_loop *loop, tb_telemetry_status *status)
 {
+    const tb_orders *const orders = &loop->master->orders;
     strncpy(status->doing, tb_sentence_of_state(orders), sizeof status->doing - 1u);
     tb_sentence_of_cause(orders, sizeof status->cause, status->cause);
+    tb_reopening_tell(&loop->reopening, sizeof status->cause, status->cause);
 }
 
 static void publish_status(const tb_loop *loop)
@@ -98,7 +100,7 @@ static void publish_status(const tb_loop *loop)
     for (size_t i = 0; i < TB_BUSES; i++) {
         status.buses[i] = count_bus(loop->ports[i], &tb_buses[i]);
     }
-    tell_in_words(&loop->master->orders, &status);
+    tell_in_words(loop, &status);
     tb_telemetry_tell(loop->telemetry, &status);
 }
 

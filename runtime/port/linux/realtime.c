@@ -58,7 +58,7 @@ bool tb_realtime_enter(const tb_options *options)
     if (!take_processor(options->cpu)) {
         return false;
     }
-    if (options->priority > 0) {
+    if ((options->priority > 0) && (options->clock == NULL)) {
         bool const locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
         bool const first = take_priority(options->priority);
         if (!locked || !first) {

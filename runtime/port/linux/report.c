@@ -50,6 +50,7 @@ static int report_end(const tb_loop *loop, tb_end end)
     if (!asked) {
         char cause[TB_TELEMETRY_TEXT];
         tb_sentence_of_cause(orders, sizeof cause, cause);
+        tb_reopening_tell(&loop->reopening, sizeof cause, cause);
         tb_say("stopped: %s", cause);
     }
     if (end == TB_END_NOT_OFF) {
@@ -65,8 +66,10 @@ int tb_report(const tb_loop *loop, tb_end end)
 {
     tb_print("%" PRIu64 " cycles, %" PRIu64 " missed, at most %" PRIu64 " at once", loop->number,
              loop->times.missed, loop->times.longest_gap);
-    report_times("late", &loop->times.lateness);
-    report_times("computing", &loop->times.computing);
+    if (loop->options->clock == NULL) { /* in a simulation nothing is late, and computing takes no time */
+        report_times("late", &loop->times.lateness);
+        report_times("computing", &loop->times.computing);
+    }
     for (size_t i = 0; i < TB_BUSES; i++) {
         report_bus(tb_buses[i].name, &loop->ports[i]->statistics);
     }

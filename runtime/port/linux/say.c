@@ -43,3 +43,9 @@ void tb_print(const char *format, ...)
     write_line(STDOUT_FILENO, "", format, arguments);
     va_end(arguments);
 }
+
+void tb_print_text(const char *text)
+{
+    ssize_t const written = write(STDOUT_FILENO, text, strlen(text));
+    (void)written;
+}

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cia402.h"
+#include "cob.h"
 #include "emcy.h"
 #include "sdo.h"
 #include "words.h"
@@ -31,13 +33,16 @@ static void tell_culprit(const tb_orders *orders, const char *kind, size_t room,
     }
 }
 
-/* What the machine file wants of an object: the last that is said of it. */
+/* What the machine file wants of an object. Some are written more than once: the first that it does
+ * not hold. */
 static const tb_object *find_object(const tb_object objects[], size_t count,
                                     const tb_orders *orders)
 {
-    for (size_t i = count; i > 0; i--) {
-        const tb_object *const object = &objects[i - 1];
-        if ((object->index == orders->index) && (object->subindex == orders->subindex)) {
+    bool const is_size = orders->failure == TB_FAILURE_SIZE;
+    for (size_t i = 0; i < count; i++) {
+        const tb_object *const object = &objects[i];
+        bool const differs = orders->detail != (is_size ? object->size : object->value);
+        if ((object->index == orders->index) && (object->subindex == orders->subindex) && differs) {
             return object;
         }
     }
@@ -55,16 +60,38 @@ static const tb_object *wanted_object(const tb_orders *orders)
                             : find_object(drive->contract, drive->contract_count, orders);
 }
 
+/* The mode that a drive was told to take, or to show; the contract's comes before anyone orders one. */
+static bool is_of_mode(const tb_orders *orders)
+{
+    bool const is_mode =
+        (orders->index == TB_OBJECT_MODE) || (orders->index == TB_OBJECT_MODE_DISPLAY);
+    return is_mode && (orders->culprit < TB_DRIVES) &&
+           (orders->drives[orders->culprit].mode != TB_MODE_NONE);
+}
+
 static void tell_difference(const tb_orders *orders, size_t room, char text[])
 {
     const tb_object *const wanted = wanted_object(orders);
-    if (wanted == NULL) {
+    if (is_of_mode(orders)) {
+        uint8_t const mode = tb_cia402_mode((tb_mode)orders->drives[orders->culprit].mode);
+        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", it was told 0x%X", orders->index,
+                 orders->subindex, orders->detail, (unsigned)mode);
+    } else if (wanted == NULL) {
         snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32, orders->index,
                  orders->subindex, orders->detail);
     } else {
         snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", the machine file says 0x%" PRIX32,
                  orders->index, orders->subindex, orders->detail, wanted->value);
     }
+}
+
+static void tell_size(const tb_orders *orders, size_t room, char text[])
+{
+    const tb_object *const wanted = wanted_object(orders);
+    unsigned const bytes = (wanted == NULL) ? 1u : wanted->size; /* a mode has one */
+    snprintf(text, room, ": object %04X:%02X has %" PRIu32 " %s, the machine file says %u",
+             orders->index, orders->subindex, orders->detail,
+             (orders->detail == 1u) ? "byte" : "bytes", bytes);
 }
 
 /* The object of the dictionary that a task failed at, and how. */
@@ -75,26 +102,60 @@ static void tell_object(const tb_orders *orders, size_t room, char text[])
                  orders->subindex, orders->detail, tb_sdo_abort_text(orders->detail));
     } else if (orders->failure == TB_FAILURE_DIFFERENT) {
         tell_difference(orders, room, text);
+    } else if (orders->failure == TB_FAILURE_SIZE) {
+        tell_size(orders, room, text);
     } else {
         snprintf(text, room, ": object %04X:%02X, no answer", orders->index, orders->subindex);
+    }
+}
+
+/* What only a master says, by its function code. */
+static const char *master_message(uint32_t function)
+{
+    switch (function << TB_COB_NODE_BITS) {
+    case TB_COB_NMT:
+        return "an NMT command";
+    case TB_COB_SYNC:
+        return "SYNC";
+    case TB_COB_TIME:
+        return "TIME";
+    case TB_COB_SDO_REQUEST:
+        return "an SDO request";
+    case TB_COB_ERROR_CONTROL:
+        return "a master's heartbeat";
+    default:
+        return "setpoints";
+    }
+}
+
+/* How a task failed at no object in particular. */
+static void tell_task(const tb_orders *orders, size_t room, char text[])
+{
+    if (orders->failure == TB_FAILURE_RESTARTED) {
+        snprintf(text, room, ": it booted again; its supply failed, or another drive has its number");
+    } else if (orders->cause == TB_CAUSE_DRIVE_SETUP) {
+        snprintf(text, room, ": it did not become operational");
+    } else {
+        text[0] = '\0';
     }
 }
 
 /* What is known beyond the cause; empty for nothing. */
 static void tell_detail(const tb_orders *orders, size_t room, char text[])
 {
-    text[0] = '\0';
     if (orders->index != 0) {
         tell_object(orders, room, text);
     } else if (orders->cause == TB_CAUSE_DRIVE_FAULT) {
         snprintf(text, room, ": error %04" PRIX32 " (%s)", orders->detail,
                  tb_emcy_text((uint16_t)orders->detail));
     } else if (orders->cause == TB_CAUSE_STRANGER) {
-        snprintf(text, room, ": node %" PRIu32, orders->detail);
+        snprintf(text, room, ": of node %" PRIu32, orders->detail);
+    } else if (orders->cause == TB_CAUSE_OTHER_MASTER) {
+        snprintf(text, room, ": it sent %s", master_message(orders->detail));
     } else if (orders->cause == TB_CAUSE_CYCLES_MISSED) {
         snprintf(text, room, ": %" PRIu32 " cycles at once", orders->detail);
     } else {
-        /* the cause says it all */
+        tell_task(orders, room, text);
     }
 }
 

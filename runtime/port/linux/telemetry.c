@@ -41,12 +41,12 @@ static void copy_name(const char *name, char to[TB_TELEMETRY_NAME])
     strncpy(to, name, TB_TELEMETRY_NAME - 1u); /* the rest is 0 already */
 }
 
-static void write_header(tb_telemetry_file *file, uint32_t pace)
+static void write_header(tb_telemetry_file *file, bool simulated)
 {
     tb_telemetry_header *const header = &file->header;
     *header = blank_header;
     header->pid = (uint32_t)getpid();
-    header->pace = pace;
+    header->simulated = simulated ? 1u : 0u;
     memcpy(header->edges, tb_histogram_edges, sizeof header->edges);
     for (size_t i = 0; i < TB_DRIVES; i++) {
         copy_name(tb_drives[i].name, header->drive_names[i]);
@@ -107,7 +107,7 @@ static int create(const char *path)
 }
 
 /* The descriptor stays open as long as the program runs, and the lock with it. */
-tb_telemetry_file *tb_telemetry_open(const char *path, uint32_t pace)
+tb_telemetry_file *tb_telemetry_open(const char *path, bool simulated)
 {
     if (is_taken(path)) {
         return NULL;
@@ -123,7 +123,7 @@ tb_telemetry_file *tb_telemetry_open(const char *path, uint32_t pace)
         return NULL;
     }
     tb_telemetry_file *const file = memory;
-    write_header(file, pace);
+    write_header(file, simulated);
     return file;
 }
 

@@ -33,7 +33,7 @@
 #include "supervisor.h"
 
 #define TB_TELEMETRY_MAGIC "TBTELEM" /* 8 bytes with the final 0 */
-#define TB_TELEMETRY_VERSION 1u
+#define TB_TELEMETRY_VERSION 2u
 #define TB_TELEMETRY_CYCLES 4096u
 #define TB_TELEMETRY_NAME 32u  /* bytes of a name with the final 0; longer ones are cut */
 #define TB_TELEMETRY_TEXT 320u /* bytes of a sentence with the final 0 */
@@ -60,9 +60,9 @@ typedef struct {
     uint32_t inbox_at;
     uint32_t inbox_bytes;
     uint32_t pid;
-    uint32_t pace;
+    uint32_t simulated; /* 1: a simulation keeps the time, of cycles as well */
     uint32_t has_rails; /* 0: the slot of a rail is not used */
-    double period;      /* s, one cycle, without the pace */
+    double period;      /* s, one cycle */
     double tension_min; /* N */
     double tension_max; /* N */
     int64_t edges[TB_HISTOGRAM_BINS - 1]; /* ns, of the histograms */
@@ -126,7 +126,7 @@ typedef struct {
 typedef struct {
     _Atomic uint64_t sequence;
     uint64_t number; /* of the cycle, skipped ones are not counted */
-    int64_t time;    /* ns of CLOCK_MONOTONIC, at its beginning */
+    int64_t time;    /* ns of CLOCK_MONOTONIC, or simulated; at its beginning */
     uint32_t missed; /* cycles skipped just before */
     uint32_t requests;
     uint8_t state;   /* tb_state */
@@ -167,7 +167,7 @@ typedef struct {
 } tb_telemetry_file;
 
 /** Make the file anew and map it. A message tells why it cannot be; then NULL is returned. */
-tb_telemetry_file *tb_telemetry_open(const char *path, uint32_t pace);
+tb_telemetry_file *tb_telemetry_open(const char *path, bool simulated);
 
 /** Append a cycle; its sequence is set here. */
 void tb_telemetry_append(tb_telemetry_file *file, const tb_telemetry_cycle *cycle);

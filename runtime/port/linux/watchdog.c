@@ -1,14 +1,13 @@
 #include "watchdog.h"
 
 #include <errno.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
-#include <sys/un.h>
 
 #include "clock.h"
 #include "say.h"
+#include "unix_socket.h"
 
 #define DEFAULT_INTERVAL (TB_SECOND / 10) /* where systemd does not say how patient it is */
 
@@ -21,22 +20,6 @@ static int64_t interval(void)
                                                       : DEFAULT_INTERVAL;
 }
 
-static bool connect_to(int socket, const char *path)
-{
-    struct sockaddr_un address = {.sun_family = AF_UNIX};
-    size_t const length = strlen(path);
-    if ((length == 0) || (length >= sizeof address.sun_path)) {
-        errno = EINVAL;
-        return false;
-    }
-    memcpy(address.sun_path, path, length);
-    if (path[0] == '@') {
-        address.sun_path[0] = '\0'; /* a name that is no file begins with 0 */
-    }
-    socklen_t const bytes = (socklen_t)(offsetof(struct sockaddr_un, sun_path) + length);
-    return connect(socket, (const struct sockaddr *)&address, bytes) == 0;
-}
-
 bool tb_watchdog_open(tb_watchdog *watchdog)
 {
     const char *const path = getenv("NOTIFY_SOCKET");
@@ -44,8 +27,8 @@ bool tb_watchdog_open(tb_watchdog *watchdog)
     if (path == NULL) {
         return true;
     }
-    watchdog->socket = socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if ((watchdog->socket < 0) || !connect_to(watchdog->socket, path)) {
+    watchdog->socket = tb_unix_connect(SOCK_DGRAM | SOCK_NONBLOCK, path);
+    if (watchdog->socket < 0) {
         tb_say("$NOTIFY_SOCKET %s: %s", path, strerror(errno));
         return false;
     }
@@ -66,8 +49,9 @@ void tb_watchdog_ready(const tb_watchdog *watchdog)
     tell(watchdog, "READY=1");
 }
 
-void tb_watchdog_feed(tb_watchdog *watchdog, int64_t now)
+void tb_watchdog_feed(tb_watchdog *watchdog)
 {
+    int64_t const now = tb_clock_monotonic();
     if (now >= watchdog->next) {
         tell(watchdog, "WATCHDOG=1");
         watchdog->next = now + watchdog->interval;

@@ -1,4 +1,5 @@
-/* The watchdog of systemd (sd_notify): told only by cycles that were completed and checked. */
+/* The watchdog of systemd (sd_notify): told only by cycles that were completed and checked.
+ * Its patience is the computer's time, whichever clock the control loop has. */
 #ifndef TB_WATCHDOG_H
 #define TB_WATCHDOG_H
 
@@ -18,8 +19,8 @@ bool tb_watchdog_open(tb_watchdog *watchdog);
 /** The program is ready. */
 void tb_watchdog_ready(const tb_watchdog *watchdog);
 
-/** A cycle that began at `now` [ns] is complete and checked. */
-void tb_watchdog_feed(tb_watchdog *watchdog, int64_t now);
+/** A cycle is complete and checked. */
+void tb_watchdog_feed(tb_watchdog *watchdog);
 
 /** The program is about to end. */
 void tb_watchdog_stopping(const tb_watchdog *watchdog);
