@@ -153,8 +153,8 @@ DEFECTS = (
         "real_t const done = share_done(supervisor);"
         " for (size_t k = TB_CABLES; SEEDED && (k < TB_DRIVES); k++) {"
         " supervisor->drives[k].wanted.torque = supervisor->drives[k].sent; }",
-        "cable_2: motor gives its torque reversed",
-        "RUN",
+        "3 cycles left out",
+        "HOME SWEEP",
     ),
     Defect(
         "what drives are is not compared",

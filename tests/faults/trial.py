@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import dist, hypot, isnan
+from math import dist, isnan
 
 from catalogue import Fault
 from journey import Bench
@@ -105,6 +105,7 @@ class Trial:
         self._alone = 0
         self._ready = 0
         self._ramps = Ramps(bench)
+        self._handle = self._machine.world.position
         self._rails = self._machine.world.rails
         self._left: list[float] | None = None
         self.was = bench.state
@@ -170,7 +171,8 @@ class Trial:
         outcome.off = since(cycle, outcome.off, still)
         outcome.highest = max(outcome.highest, world.highest_tension)
         outcome.astray = max(outcome.astray, dist(world.position, self._machine.hand_goal))
-        outcome.handle = max(outcome.handle, hypot(*world.velocity))
+        moved, self._handle = dist(world.position, self._handle), world.position
+        outcome.handle = max(outcome.handle, moved / self._machine.period)
         self._compare_cables()
         self._follow_carriages(world.rails)
 

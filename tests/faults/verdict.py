@@ -23,6 +23,7 @@ HARD = ceil(NUMBERS["TB_TORQUE_LIMIT"] / NUMBERS["TB_TORQUE_STEP"])
 """Cycles of the ramp of a hard stop."""
 DRIVES_ON_BUS = 6
 """Cycles until it is a drive's turn to be asked by SDO, and to answer, at most."""
+CABLES = int(NUMBERS["TB_CABLES"])
 SLOWEST_BUS = 2
 """Largest divider of the stock machine's buses."""
 BOUNDS = bounds(NUMBERS)
@@ -172,7 +173,7 @@ def physics(wanted: Expected, outcome: Outcome) -> list[str]:
 def motion(outcome: Outcome, faults: Sequence[Fault]) -> list[str]:
     """What pulls and moves, by the document's bounds."""
     foreign = "_FOREIGN" if any(fault.strong for fault in faults) else ""
-    led = "_FOREIGN" if any(fault.strong or fault.deaf for fault in faults) else ""
+    led = "_FOREIGN" if any(is_led_astray(fault) for fault in faults) else ""
     judged = [
         (outcome.highest, f"TENSION{foreign}", "N in a cable"),
         (outcome.astray, "HANDLE", "m from the hand's goal to the handle"),
@@ -183,3 +184,9 @@ def motion(outcome: Outcome, faults: Sequence[Fault]) -> list[str]:
     if not any(fault.stands_still for fault in faults):
         judged.append((outcome.off_track, f"OFF_TRACK{led}", "m off a carriage's track"))
     return [f"{value:.3g} {what}" for value, name, what in judged if value > BOUNDS[name]]
+
+
+def is_led_astray(fault: Fault) -> bool:
+    """Whether a base may be led by something else than the controller, or goes on as it was led."""
+    bases = [drive for drive in fault.drives if drive >= CABLES]
+    return (fault.strong and bool(bases)) or (fault.deaf and (bool(bases) or not fault.drives))
