@@ -4,7 +4,7 @@ Which of two faults is told is not asked: either may hide the other. What drives
 and handle do is.
 """
 
-from catalogue import ALWAYS, HEARTBEAT_LOST, Fault
+from catalogue import ALWAYS, HEARTBEAT_LOST
 from pairs import Pair
 from trial import TRANSPORT, Outcome
 from verdict import CAUSES, HARD, NUMBERS, SLOWEST_BUS, motion
@@ -23,7 +23,7 @@ def complaints(pair: Pair, outcome: Outcome) -> list[str]:
         *way(pair, outcome),
         *end(pair, outcome),
         *alone(pair, outcome),
-        *motion(outcome, (pair.first, pair.second)),
+        *motion(outcome, pair.faults),
     ]
 
 
@@ -67,8 +67,9 @@ def latest(pair: Pair, outcome: Outcome) -> int:
     ramp = int(NUMBERS["TB_STOP_CYCLES"]) if soft else HARD
     transport = TRANSPORT * SLOWEST_BUS
     bound = (outcome.reacted or 0) + ramp + transport + standing(pair)
-    deaf = [begin for begin, fault in blows(pair) if fault.deaf]
-    if pair.first.brakes or pair.second.brakes:
+    blows = ((0, pair.first), (pair.between, pair.second))
+    deaf = [begin for begin, fault in blows if fault.deaf]
+    if any(fault.brakes for fault in pair.faults):
         bound += int(NUMBERS["TB_HEARTBEAT_TIMEOUT"])
     if deaf:
         waits = int(NUMBERS["TB_HEARTBEAT_TIMEOUT"]) if soft else 0
@@ -79,21 +80,16 @@ def latest(pair: Pair, outcome: Outcome) -> int:
 def alone(pair: Pair, outcome: Outcome) -> list[str]:
     """A cable pulls alone only until it is known that another one cannot, and let go."""
     bound = DETECTED + HARD + TRANSPORT + standing(pair)
-    bound += HEARTBEAT_LOST if any(fault.deaf for _, fault in blows(pair)) else 0
+    bound += HEARTBEAT_LOST if any(fault.deaf for fault in pair.faults) else 0
     too_long = outcome.alone > bound
     return [f"a cable is pulled alone for {outcome.alone} cycles, not {bound}"] if too_long else []
 
 
-def blows(pair: Pair) -> list[tuple[int, Fault]]:
-    """Both faults, and when they strike."""
-    return [(0, pair.first), (pair.between, pair.second)]
-
-
 def standing(pair: Pair) -> int:
     """Cycles in which the master does nothing."""
-    return sum(fault.stands_still % ALWAYS for _, fault in blows(pair))
+    return sum(fault.stands_still % ALWAYS for fault in pair.faults)
 
 
 def is_killed(pair: Pair) -> bool:
     """Whether the master does nothing any more."""
-    return any(fault.stands_still == ALWAYS for _, fault in blows(pair))
+    return any(fault.stands_still == ALWAYS for fault in pair.faults)

@@ -59,9 +59,9 @@ class Pair:
         return self.between + WATCHED + 1
 
     @property
-    def is_foreign(self) -> bool:
-        """Whether something else than the controller pulls or leads."""
-        return self.first.strong or self.second.strong
+    def faults(self) -> tuple[Fault, Fault]:
+        """Both."""
+        return self.first, self.second
 
     @property
     def is_asked(self) -> bool:

@@ -11,6 +11,8 @@ import pytest
 from catalogue import FAULTS
 from forked import in_a_fork
 from journey import NAMES, Bench, Journey, moment_of, stock
+from pair_verdict import complaints as complaints_of_pair
+from pairs import Pair, run
 from trial import Trial
 from verdict import complaints, expected
 
@@ -217,3 +219,44 @@ def test_a_defect_is_found(
     bench = journey.at(moment_of(defect.moment))
     assert in_a_fork(lambda: found(bench, defective, number, defect)) != []
     assert in_a_fork(lambda: found(bench, defective, 0, defect)) == []
+
+
+IN_PAIRS = [
+    each
+    for each in IN_ORDER
+    if each[1].what
+    in (
+        "a hard stop forgets a cable",
+        "the heartbeat goes on whatever a drive does",
+        "the last cause takes the place of the first",
+        "a request to arm that stands arms",
+        "no carriage that goes the wrong way is told",
+        "a soft stop keeps the bases' forces",
+    )
+]
+"""Those that the judges of pairs must find as well."""
+
+
+def found_in_a_pair(bench: Bench, library: ctypes.CDLL, number: int, defect: Defect) -> list[str]:
+    """What they say of the same fault with a second one, which changes nothing."""
+    first, second = (
+        next(each for each in FAULTS if each.name == name)
+        for name in (defect.fault, "bus base: a frame of nobody")
+    )
+    both = Pair(1, moment_of(defect.moment), 0, first, second, 2)
+    bench.lockstep.exchange_runtime(library)
+    ctypes.c_int.in_dll(library, "seeded").value = number
+    return complaints_of_pair(both, run(bench, both))
+
+
+@pytest.mark.parametrize(
+    ("number", "defect"),
+    IN_PAIRS,
+    ids=lambda value: value.what if isinstance(value, Defect) else "",
+)
+def test_a_defect_is_found_in_a_pair(
+    journey: Journey, defective: ctypes.CDLL, number: int, defect: Defect
+) -> None:
+    bench = journey.at(moment_of(defect.moment))
+    assert in_a_fork(lambda: found_in_a_pair(bench, defective, number, defect)) != []
+    assert in_a_fork(lambda: found_in_a_pair(bench, defective, 0, defect)) == []

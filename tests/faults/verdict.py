@@ -172,18 +172,28 @@ def physics(wanted: Expected, outcome: Outcome) -> list[str]:
 
 def motion(outcome: Outcome, faults: Sequence[Fault]) -> list[str]:
     """What pulls and moves, by the document's bounds."""
-    foreign = "_FOREIGN" if any(fault.strong for fault in faults) else ""
-    led = "_FOREIGN" if any(is_led_astray(fault) for fault in faults) else ""
-    judged = [
-        (outcome.highest, f"TENSION{foreign}", "N in a cable"),
-        (outcome.astray, "HANDLE", "m from the hand's goal to the handle"),
-        (outcome.handle, "HANDLE_SPEED", "m/s of the handle"),
-        (outcome.carriage, f"CARRIAGE_SPEED{led}", "m/s of a carriage"),
-        (outcome.rolled, f"ROLLED{led}", "m that a carriage went on in a stop"),
+    reached = measured(outcome, faults)
+    return [
+        f"{name}: {value:.3g}, not {BOUNDS[name]:.3g}"
+        for name, value in reached.items()
+        if value > BOUNDS[name]
     ]
-    if not any(fault.stands_still for fault in faults):
-        judged.append((outcome.off_track, f"OFF_TRACK{led}", "m off a carriage's track"))
-    return [f"{value:.3g} {what}" for value, name, what in judged if value > BOUNDS[name]]
+
+
+def measured(outcome: Outcome, faults: Sequence[Fault]) -> dict[str, float]:
+    """What was reached, by the name of its bound."""
+    pulled = "_FOREIGN" if any(fault.strong for fault in faults) else ""
+    led = "_FOREIGN" if any(is_led_astray(fault) for fault in faults) else ""
+    reached = {
+        f"TENSION{pulled}": outcome.highest,
+        "HANDLE": outcome.astray,
+        "HANDLE_SPEED": outcome.handle,
+        f"CARRIAGE_SPEED{led}": outcome.carriage,
+        f"ROLLED{led}": outcome.rolled,
+    }
+    if not any(fault.stands_still for fault in faults):  # a master that stands leads nothing
+        reached[f"OFF_TRACK{led}"] = outcome.off_track
+    return reached
 
 
 def is_led_astray(fault: Fault) -> bool:
