@@ -74,7 +74,7 @@ class Lockstep:
 
     cycle() runs one cycle; `view` is what is to be seen of the last one: state, phase, cause,
     culprit, index, subindex, failure, detail, beat, status, pose, residual, wanted_force,
-    delivered_force, tension, zeros, position, ordered, power. SI units, numbers as in the C
+    delivered_force, tension, zeros, position, ordered, led, power. SI units, numbers as in the C
     headers.
     """
 
@@ -264,6 +264,7 @@ def layouts(generated: Generated) -> tuple[np.dtype[np.void], np.dtype[np.void]]
         ("zeros", reals, n),
         ("position", reals, drives),
         ("ordered", reals, drives),
+        ("led", reals, (max(1, len(machine.rails)),)),
         ("power", word, drives),
     ]
     return np.dtype(wishes, align=True), np.dtype(view, align=True)

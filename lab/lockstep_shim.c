@@ -1,5 +1,7 @@
 /* What lab/lockstep.py needs around the runtime to drive it from Python: a machine's master with its
  * buses in memory, frames packed into arrays. Runs on a host only; nothing of it goes to a machine. */
+#include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -34,6 +36,7 @@ typedef struct {
     real_t zeros[TB_CABLES];
     real_t position[TB_DRIVES];
     real_t ordered[TB_DRIVES]; /* N m; m of a drive that follows a position */
+    real_t led[TB_RAIL_SLOTS];  /* m, where bases are led to; NaN: nowhere */
     uint32_t power[TB_DRIVES];
 } shim_view;
 
@@ -126,6 +129,20 @@ size_t shim_give(shim_machine *machine, const shim_frame arrived[], size_t count
     return taken;
 }
 
+/* In HOME from the first time that bases are guided, until the controller moves them itself in RUN. */
+static real_t led_to(const tb_supervisor *supervisor, size_t rail)
+{
+    bool const by_controller =
+        (supervisor->state == TB_STATE_RUN) || (supervisor->phase == TB_PHASE_CLOSE);
+    bool const by_guide = (supervisor->state == TB_STATE_TENSION) ||
+                          ((supervisor->state == TB_STATE_HOME) &&
+                           (supervisor->phase >= TB_PHASE_GATHER));
+    if (by_controller) {
+        return supervisor->outputs.rail_target[rail];
+    }
+    return by_guide ? supervisor->guide.reference[rail] : (real_t)NAN;
+}
+
 void shim_look(const shim_machine *machine, shim_view *view)
 {
     const tb_master *const master = &machine->master;
@@ -149,6 +166,9 @@ void shim_look(const shim_machine *machine, shim_view *view)
     for (size_t i = 0; i < TB_CABLES; i++) {
         view->tension[i] = orders->controller.tension[i];
         view->zeros[i] = master->supervisor.calibration.zeros[i];
+    }
+    for (size_t i = 0; i < TB_RAIL_SLOTS; i++) {
+        view->led[i] = led_to(&master->supervisor, i);
     }
     for (size_t i = 0; i < TB_DRIVES; i++) {
         const tb_drive_order *const order = &orders->drives[i];

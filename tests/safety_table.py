@@ -1,4 +1,4 @@
-"""The table of causes in docs/safety.md, as data."""
+"""The tables of docs/safety.md, as data."""
 
 import math
 import re
@@ -44,15 +44,25 @@ def between(text: str) -> tuple[str, ...]:
 
 
 def rows() -> list[Row]:
-    """Every row of the table."""
-    table = DOCUMENT.read_text().partition("## The causes")[2]
-    lines = [line for line in table.splitlines() if re.match(r"\| [A-Z_]+ \|", line)]
+    """Every row of the table of causes."""
     found = []
-    for line in lines:
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
-        cause, culprit, reaction, states, cycles, *_ = cells
+    for cause, culprit, reaction, states, cycles, *_ in table("## The causes"):
         found.append(Row(cause, culprit, "hard" in reaction, between(states), cycles))
     return found
+
+
+def bounds(constants: dict[str, float]) -> dict[str, float]:
+    """What the machine does at most, by name; SI units."""
+    names = {**constants, "ceil": math.ceil}
+    lines = table("## What the machine does at most")
+    return {name: eval(most, {"__builtins__": {}}, names) for name, most, *_ in lines}
+
+
+def table(heading: str) -> list[list[str]]:
+    """The cells of every line of the table under a heading, without what is above the lines."""
+    section = DOCUMENT.read_text().partition(heading)[2].partition("\n## ")[0]
+    lines = [line for line in section.splitlines() if re.match(r"\| [A-Z_]+ \|", line)]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
 
 
 def constants(folder: Path) -> dict[str, float]:

@@ -47,11 +47,14 @@ class Encoder:
         self._rate = 0.0
         self._from = self._counted = 0.0
         self._scale = 1.0
+        self._slip = 0
 
     def turn(self, angle: float, seconds: float) -> None:
         """The motor is at an angle [rad], so long after it was last looked at."""
         if self._angle is None:
             self._angle = self._from = angle
+        if self._slip and self._true_count(angle) != self._true_count(self._angle):
+            self._counted += self._slip
         before, self._turned = self._turned, self._count_at(angle)
         self._rate, self._angle = (angle - self._angle) / seconds, angle
         self.count = self._turned
@@ -68,12 +71,19 @@ class Encoder:
         """Fault: so many increments that the motor did not turn."""
         self._counted += increments
 
+    def slip(self, increments: int) -> None:
+        """Fault: from here on it jumps by so many increments in every cycle in which it turns."""
+        self._slip = increments
+
     def distort(self, scale: float) -> None:
         """Fault: from here on it counts so many times what it should: 0 frozen, -1 backwards."""
         if self._angle is not None:
             self._counted += (self._angle - self._from) * self.per_radian * self._scale
             self._from = self._angle
         self._scale = scale
+
+    def _true_count(self, angle: float) -> int:
+        return floor(angle * self.per_radian)
 
     def _count_at(self, angle: float) -> int:
         turned = (angle - self._from) * self.per_radian * self._scale

@@ -80,18 +80,6 @@ static void count_deaf_cycles(tb_supervisor *supervisor, const tb_observation *s
     }
 }
 
-/* A base's coordinate means something once it is homed, and is then guided. */
-static bool is_position_known(const tb_supervisor *supervisor, size_t drive)
-{
-    return (drive < TB_CABLES) || (supervisor->guide.guided[drive - TB_CABLES] != 0);
-}
-
-static bool has_jumped(const tb_supervisor *supervisor, size_t drive)
-{
-    return is_position_known(supervisor, drive) &&
-           (supervisor->measurement.tracks[drive].jumped != 0);
-}
-
 static tb_cause find_runaway(const tb_supervisor *supervisor, size_t drive)
 {
     real_t const speed = TB_ABS(tb_measured_speed(&supervisor->measurement, drive));
@@ -130,12 +118,18 @@ static tb_blame examine_carriages(tb_supervisor *supervisor, const tb_observatio
     return worst;
 }
 
+/* Faults from before are reset once all drives are in service: which of them came first is chance. */
+static bool are_faults_reset(const tb_supervisor *supervisor)
+{
+    return (supervisor->phase == TB_PHASE_START) || (supervisor->phase == TB_PHASE_FAULT_RESET);
+}
+
 /* What leaves no time. */
 static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observation *seen,
                               size_t index)
 {
     const tb_drive_report *const report = &seen->drives[index];
-    if (tb_is_in_fault(report) && (supervisor->phase != TB_PHASE_FAULT_RESET)) {
+    if (tb_is_in_fault(report) && !are_faults_reset(supervisor)) {
         return tb_blame_for(TB_CAUSE_DRIVE_FAULT, index, report->error_code);
     }
     if (is_silent(report)) {
@@ -147,7 +141,7 @@ static tb_blame examine_drive(const tb_supervisor *supervisor, const tb_observat
     if (supervisor->drives[index].deaf > DEAF_CYCLES) {
         return tb_blame_for(TB_CAUSE_DRIVE_DEAF, index, 0);
     }
-    if (has_jumped(supervisor, index)) {
+    if (supervisor->measurement.tracks[index].jumped != 0) {
         return tb_blame_for(TB_CAUSE_ENCODER_JUMP, index, 0);
     }
     return tb_blame_for(find_runaway(supervisor, index), index, 0);

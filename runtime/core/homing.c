@@ -3,9 +3,9 @@
 #include "states.h"
 
 /* While slack is wound in, a cable's torque falls with its speed and is gone at the first of these;
- * below the second it is tight. */
+ * below the second it is tight, though a carriage that is free may glide towards the platform. */
 #define TIGHTEN_SPEED (TB_CABLE_SPEED_LIMIT * TB_C(0.1))
-#define TIGHT_SPEED (TB_CABLE_SPEED_LIMIT * TB_C(0.01))
+#define TIGHT_SPEED (TB_CABLE_SPEED_LIMIT * TB_C(0.03))
 #define TIGHT_CYCLES 100u
 
 void tb_begin_home(tb_supervisor *supervisor)

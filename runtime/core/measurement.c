@@ -1,5 +1,7 @@
 #include "measurement.h"
 
+#define FARTHEST TB_C(1e6) /* m; no drive counts further */
+
 static const tb_track unknown;
 
 void tb_measurement_forget(tb_measurement *measurement, size_t drive)
@@ -28,8 +30,7 @@ static uint16_t time_between(const tb_track *track, uint8_t age)
 /* The first message may be wherever a drive can be; a NaN fails the comparison. */
 static bool is_believable(const tb_track *track, real_t position, uint16_t time, real_t largest)
 {
-    real_t const farthest = TB_C(1e6);
-    real_t const bound = (track->known != 0) ? (largest * (real_t)time) : farthest;
+    real_t const bound = (track->known != 0) ? (largest * (real_t)time) : FARTHEST;
     return TB_ABS(position - position_after(track, time)) <= bound;
 }
 
@@ -68,6 +69,16 @@ void tb_measurement_take(tb_measurement *measurement, const tb_drive_report repo
 {
     for (size_t i = 0; i < TB_DRIVES; i++) {
         take(&measurement->tracks[i], &reports[i], largest_move(i), skipped);
+    }
+}
+
+void tb_measurement_rebase(tb_measurement *measurement, size_t drive, const tb_drive_report *report)
+{
+    tb_track *const track = &measurement->tracks[drive];
+    if ((track->jumped != 0) && (TB_ABS(report->position) <= FARTHEST)) {
+        track->position = report->position;
+        track->age = report->age;
+        track->jumped = 0;
     }
 }
 

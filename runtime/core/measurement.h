@@ -31,6 +31,10 @@ typedef struct {
 /** Forget where a drive was: its next message is no jump, wherever it is. */
 void tb_measurement_forget(tb_measurement *measurement, size_t drive);
 
+/** This cycle's jump of a drive is none: it counts from another zero than before, where it may. */
+void tb_measurement_rebase(tb_measurement *measurement, size_t drive,
+                           const tb_drive_report *report);
+
 /** Take over this cycle's reports. skipped: cycles that were left out since the last one. */
 void tb_measurement_take(tb_measurement *measurement, const tb_drive_report reports[TB_DRIVES],
                          uint32_t skipped);

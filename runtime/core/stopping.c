@@ -28,7 +28,7 @@ void tb_begin_soft_stop(tb_supervisor *supervisor)
 {
     end_tasks(supervisor);
     release_unguided_bases(supervisor);
-    for (size_t i = 0; i < TB_DRIVES; i++) {
+    for (size_t i = 0; i < TB_CABLES; i++) {
         supervisor->drives[i].released = supervisor->drives[i].sent;
     }
     tb_enter(supervisor, TB_STATE_SOFT_STOP, TB_PHASE_RELAX);
@@ -45,6 +45,8 @@ static real_t share_done(const tb_supervisor *supervisor)
     return tb_min((real_t)supervisor->cycles / (real_t)RAMP_CYCLES, TB_C(1.0));
 }
 
+/* Bases are pushed no more: a force that was to move a carriage would go on to do so, and nothing
+ * would end that motion. */
 static void relax(tb_supervisor *supervisor)
 {
     real_t const done = share_done(supervisor);
@@ -52,10 +54,6 @@ static void relax(tb_supervisor *supervisor)
         tb_drive_memory *const cable = &supervisor->drives[i];
         real_t const excess = cable->released - relaxed(cable);
         cable->wanted.torque = cable->released - (done * excess);
-    }
-    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
-        tb_drive_memory *const base = &supervisor->drives[i];
-        base->wanted.torque = base->released - (done * base->released);
     }
     if (supervisor->cycles >= RAMP_CYCLES) {
         tb_enter(supervisor, TB_STATE_SOFT_STOP, TB_PHASE_SLACKEN);

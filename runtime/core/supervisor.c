@@ -171,12 +171,24 @@ static void tell(const tb_supervisor *supervisor, tb_orders *orders)
     orders->detail = supervisor->first.detail;
 }
 
+/* Until a base is guided nothing depends on where it is: its drive may count from any zero, and takes
+ * another one in its homing. Its speed is watched all the same. */
+static void measure(tb_supervisor *supervisor, const tb_observation *seen)
+{
+    tb_measurement_take(&supervisor->measurement, seen->drives, seen->missed);
+    for (size_t i = TB_CABLES; i < TB_DRIVES; i++) {
+        if (supervisor->guide.guided[i - TB_CABLES] == 0) {
+            tb_measurement_rebase(&supervisor->measurement, i, &seen->drives[i]);
+        }
+    }
+}
+
 void tb_supervisor_step(tb_supervisor *supervisor, const tb_observation *seen, tb_orders *orders)
 {
     if (!is_intact(supervisor)) {
         give_up(supervisor);
     }
-    tb_measurement_take(&supervisor->measurement, seen->drives, seen->missed);
+    measure(supervisor, seen);
     tb_observe_power(supervisor, seen);
     run_cycle(supervisor, seen);
     tb_gate_setpoints(supervisor, seen, orders->drives);

@@ -13,7 +13,7 @@
 typedef struct {
     tb_drive_order wanted; /* before the gate */
     real_t sent;           /* N m, or m where it follows a position: what the gate let through */
-    real_t released;       /* N m, its torque when the soft stop began */
+    real_t released;       /* N m, a cable drive's torque when the soft stop began */
     uint16_t deaf;         /* cycles in a row in which its torque was not what it was told */
     uint8_t online;        /* 1 from its first status message in service: now it is judged */
     uint8_t patience;      /* cycles until its report can show the ordered power state */

@@ -27,16 +27,22 @@ BOOTED = 210
 """Cycles in which a drive whose supply has come boots."""
 SET_UP = 600
 """Cycles from INIT to the end of CONFIGURE CONTRACT."""
-HOMED = 3000
-"""Cycles from HOME TIGHTEN to the bases' working mode."""
 CALIBRATED = 9000
 """Cycles from HOME BASE_HOMING to TENSION."""
+TRIAL = 200
+"""Cycles of HOME TRY_BASES and the phase after it."""
 SWEPT = 2000
 """Cycles in which all bases have moved about in HOME SWEEP."""
 MOVED = 400
 """Cycles in which a handle that the hand leads is at another place, and so are the bases."""
+LED = 2000
+"""Cycles in which the hand leads handle and bases through a good part of where they can be."""
+SOLVED = 2500
+"""Cycles from HOME SWEEP to the end of its calibration."""
+TRIED = 2000
+"""Cycles from HOME TIGHTEN until the bases' drives have changed to the mode of their trial."""
 INIT, IDENTIFY, CONTRACT = BEFORE_SERVICE
-READY, TIGHTEN, HOMING, SWEEP, TENSION, RUN, SOFT_STOP = SERVICE
+READY, TIGHTEN, TRY_BASES, HOMING, SWEEP, TENSION, RUN, SOFT_STOP = SERVICE
 AT_WORK = (TENSION, RUN)
 
 Strike = Callable[[Lockstep], None]
@@ -76,7 +82,9 @@ class Fault:
     powerless: bool = False
     """A drive has no torque from the strike on."""
     strong: bool = False
-    """Cables are pulled by something else than the controller."""
+    """Cables are pulled, or bases led, by something else than the controller."""
+    brakes: bool = False
+    """A drive may take its order for another one, and brake before it switches off."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +123,7 @@ class Target:
 
 
 CABLE = Target("cable_2", 1, 0, 2, 1, POWERED, SERVICE)
-BASE = Target("base_2", 5, 2, 2, 2, (HOMING, *GUIDED), GUIDED)
+BASE = Target("base_2", 5, 2, 2, 2, (TRY_BASES, HOMING, *GUIDED), GUIDED)
 TARGETS = (CABLE, BASE)
 
 DROP = Disturbance(Mishap.DROP)
@@ -145,6 +153,27 @@ NOT_STARTED = Sign("DRIVE_SETUP", START, (CONTRACT,))
 SILENT = Sign("DRIVE_SILENT", SYNCS)
 NO_BOOT_UP = Sign("DRIVE_MISSING", "TB_STATE_TIMEOUT", (INIT,))
 MALFORMED_BOOT_UP = Sign("BUS_CORRUPT", "TB_STATE_TIMEOUT", (INIT,))
+
+OPENS = ("CABLE_SLACK", "CABLE_BREAK", "CLOSURE")
+"""What lengths that do not belong together show as, once the platform or a base is elsewhere."""
+OPENED = tuple(Sign(cause, str(LED), AT_WORK) for cause in OPENS)
+UNSOLVED = Sign("CALIBRATION", str(SOLVED), (SWEEP,))
+UNTRUE = (*OPENED, UNSOLVED)
+"""A cable's length is not what its encoder says."""
+UNPULLED = (*OPENED, UNSOLVED)
+"""A cable is not pulled: as if it were longer, when the platform gives way to the others."""
+PUSHED = tuple(Sign(cause, str(LED), (SWEEP, *AT_WORK)) for cause in ("BASE_BLOCKED", "WRONG_WAY"))
+DEAF_BASE = tuple(
+    Sign(cause, str(SWEPT), (SWEEP, RUN)) for cause in ("DRIVE_DEAF", "BASE_BLOCKED", "WRONG_WAY")
+)
+"""It goes on as it was last told, which is not as it is told then."""
+REVERSED = (
+    Sign("WRONG_WAY", "100", (TRY_BASES, SWEEP, *AT_WORK)),
+    Sign("BASE_RUNAWAY", "1000", (HOMING,)),
+)
+SCALED = (*OPENED, UNSOLVED, *PUSHED)
+"""A base is not where it is thought to be."""
+STANDS = (*SCALED, Sign("BASE_BLOCKED", "200", (TRY_BASES,)))
 
 ERRORS = {
     0x1000: "generic",
@@ -219,21 +248,44 @@ def silences(target: Target) -> Iterator[Fault]:
 def encoders(target: Target) -> Iterator[Fault]:
     """A drive measures what is not."""
 
-    def freeze(drive: Drive) -> None:
-        drive.servo.encoder.distort(0.0)
-
     def jump(increments: int) -> Strike:
         return target.act(lambda drive: drive.servo.encoder.jump(increments))
 
+    def count(scale: float) -> Strike:
+        return target.act(lambda drive: drive.servo.encoder.distort(scale))
+
+    def slip(increments: int) -> Strike:
+        return target.act(lambda drive: drive.servo.encoder.slip(increments))
+
     jumped = (Sign("ENCODER_JUMP", "2 * divider", target.known),)
-    causes = ["CABLE_SLACK", "CABLE_BREAK", "CLOSURE", *(["BASE_LOST"] if target is BASE else [])]
-    stands = tuple(Sign(cause, str(MOVED), AT_WORK) for cause in causes)
-    swept = "BASE_LOST" if target is BASE else "CALIBRATION"
+    of_base, strong = target is BASE, target is BASE
     fault = target.fault
     yield fault("encoder jumps a turn", jumped, jump(4096))
     yield fault("encoder jumps a turn back", jumped, jump(-4096))
-    signs = (*stands, Sign(swept, str(HOMED), (SWEEP,)))
-    yield fault("encoder stands", signs, target.act(freeze), strong=target is BASE)
+    yield fault("encoder jumps a fortieth of a turn", (), jump(100))
+    yield fault("encoder jumps a fortieth of a turn back", (), jump(-100))
+    yield fault("encoder stands", STANDS if of_base else UNTRUE, count(0.0), strong=strong)
+    yield fault("encoder reversed", REVERSED if of_base else UNTRUE, count(-1.0), strong=strong)
+    yield fault("encoder counts half", SCALED if of_base else UNTRUE, count(0.5), strong=strong)
+    yield fault("encoder counts double", SCALED if of_base else UNTRUE, count(2.0), strong=strong)
+    yield fault("encoder slips", SCALED if of_base else UNTRUE, slip(4), strong=strong)
+    yield fault("encoder slips back", SCALED if of_base else UNTRUE, slip(-4), strong=strong)
+
+
+def motors(target: Target) -> Iterator[Fault]:
+    """A motor does not give the torque that its drive is told, and reports."""
+
+    def give(share: float) -> Strike:
+        def strike(drive: Drive) -> None:
+            drive.servo.given = share
+
+        return target.act(strike)
+
+    nothing, reversed_ = (PUSHED, REVERSED) if target is BASE else (UNPULLED, UNPULLED)
+    fault = target.fault
+    yield fault("motor gives no torque", nothing, give(0.0), powerless=True, strong=True)
+    yield fault("motor gives twice its torque", (), give(2.0), strong=True)
+    yield fault("motor gives its torque reversed", reversed_, give(-1.0), strong=True)
 
 
 def status_messages(target: Target) -> Iterator[Fault]:
@@ -277,9 +329,10 @@ def setpoints(target: Target) -> Iterator[Fault]:
     off = (Sign("DRIVE_STATE", "4 * divider", target.powered),)
     deaf = (
         Sign("DRIVE_DEAF", str(MOVED), (RUN, SOFT_STOP)),
-        *([Sign("DRIVE_DEAF", str(SWEPT), (SWEEP,))] if target is BASE else []),
+        *(DEAF_BASE if target is BASE else ()),
         Sign("DRIVE_STUCK", "TB_STOP_CYCLES + TB_HEARTBEAT_TIMEOUT", (SOFT_STOP,)),
     )
+    misled = {"powerless": True, "brakes": True}
     hit = partial(target.disturb, RPDO)
     fault = target.fault
 
@@ -295,7 +348,7 @@ def setpoints(target: Target) -> Iterator[Fault]:
     yield fault("setpoint a cycle late always", (), hit(LATE, ALWAYS))
     yield fault("setpoint too short once", refused, hit(SHORT, 1), powerless=True)
     yield fault("setpoint too short always", (*refused, stands), hit(SHORT, ALWAYS), powerless=True)
-    yield fault("setpoint switches it off once", off, hit(flip("0200"), 1), powerless=True)
+    yield fault("setpoint switches it off once", off, hit(flip("0200"), 1), **misled)
     yield fault("setpoint with its torque flipped once", (), hit(flip("0000 0040"), 1), strong=True)
 
 
@@ -326,8 +379,11 @@ def set_up(target: Target) -> Iterator[Fault]:
         lockstep.machine.add_stranger(target.bus, Setup(target.node))
 
     def later(cause: str, after: int) -> tuple[Sign, ...]:
-        """A base drive changes its mode after the cables are tight."""
-        return (Sign(cause, f"{HOMED} + {after}", (TIGHTEN,)),) if target is BASE else ()
+        """A base drive changes its mode once the cables were tried, and again for its homing."""
+        if target is not BASE:
+            return ()
+        cables_tried = Sign(cause, f"{TRIED} + {after}", (TIGHTEN,))
+        return (cables_tried, Sign(cause, f"{TRIAL} + {after}", (TRY_BASES,)))
 
     no_mode = (*later("DRIVE_SETUP", 2500), *later("DRIVE_STUCK", 2500))
     turn = "DRIVES_ON_BUS"
@@ -335,10 +391,13 @@ def set_up(target: Target) -> Iterator[Fault]:
     twice = (Sign("DRIVE_TWICE", turn, (IDENTIFY, CONTRACT)), *later("DRIVE_TWICE", 0))
     vendor = (Sign("DRIVE_DIFFERENT", str(BOOTED), (INIT,)),)
     contract = Sign("DRIVE_SETUP", str(SET_UP), (IDENTIFY, CONTRACT))
+    # In SOFT_STOP a heartbeat of the first base follows the second one's only sign of life, its
+    # boot-up message, in the same cycle, and hides it.
+    heard = SERVICE[:-1] if target is BASE else SERVICE
     second = (
         Sign("DRIVE_TWICE", f"{SET_UP}", BEFORE_SERVICE),
         Sign("DRIVE_SETUP", f"{SET_UP}", BEFORE_SERVICE),
-        Sign("DRIVE_SILENT", str(BOOTED)),
+        Sign("DRIVE_SILENT", str(BOOTED), heard),
     )
     hit = partial(target.disturb, SDO_ANSWER)
     fault = target.fault
@@ -377,8 +436,8 @@ def buses(number: int, name: str, drives: tuple[int, ...], divider: int) -> Iter
     lost = (Sign("BUS_OFF", moments=everywhere),)
     full = (Sign("BUS_FULL", "2 * divider", (IDENTIFY, CONTRACT, *SERVICE)),)
     strange = (Sign("STRANGER", str(BOOTED), everywhere),)
-    late = (NOT_STARTED, Sign("DRIVE_LATE", f"{SYNCS} + 1"))
     delayed = Disturbance(Mishap.DELAY, divider)
+    twice = (Sign("DRIVE_STATE", str(TRIAL), (TRY_BASES,)),) if number == 2 else ()
     yield fault("off", lost, becomes(BusState.OFF), deaf=True)
     yield fault("device gone", lost, becomes(BusState.NOT_OPEN), deaf=True)
     yield fault("error passive", (), becomes(BusState.ERROR_PASSIVE))
@@ -389,8 +448,11 @@ def buses(number: int, name: str, drives: tuple[int, ...], divider: int) -> Iter
     yield fault("a frame of nobody", (), says(0x6E5, b"\1"))
     yield fault("SYNC lost once", (), hit(DROP, 1))
     yield fault("SYNC lost always", (NOT_STARTED, SILENT), hit(DROP, ALWAYS), deaf=True)
-    yield fault("SYNC doubled always", (), hit(TWICE, ALWAYS))
-    yield fault("SYNC late by its period always", late, hit(delayed, ALWAYS))
+    # While a drive powers up: of its two answers the first is from before the last order, and the
+    # next order is one step behind.
+    yield fault("SYNC doubled always", twice, hit(TWICE, ALWAYS))
+    # It then comes when the one after it was due: one answer is missed, the others are in time.
+    yield fault("SYNC late by its period always", (), hit(delayed, ALWAYS))
 
 
 def program() -> Iterator[Fault]:
@@ -446,7 +508,7 @@ def surroundings() -> Iterator[Fault]:
     unwanted = (Sign("CONTROLLER", moments=(RUN,)),)
     unfelt = (Sign("CONTROLLER", moments=AT_WORK),)
     slack = tuple(Sign(cause, "20", AT_WORK) for cause in ("CABLE_SLACK", "CLOSURE"))
-    longer = (Sign("CALIBRATION", str(HOMED), (SWEEP,)),)
+    longer = (UNSOLVED,)
     broken = (
         *(Sign(cause, "50", AT_WORK) for cause in ("CABLE_BREAK", "CLOSURE")),
         Sign("CALIBRATION", str(CALIBRATED), (HOMING, SWEEP)),
@@ -462,7 +524,7 @@ def surroundings() -> Iterator[Fault]:
     yield Fault(f"{CABLE.name}: breaks", broken, cut)
 
 
-KINDS = (errors, silences, encoders, status_messages, setpoints, heartbeats, set_up)
+KINDS = (errors, silences, encoders, motors, status_messages, setpoints, heartbeats, set_up)
 
 
 def faults() -> Iterator[Fault]:

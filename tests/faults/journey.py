@@ -2,14 +2,16 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import IntEnum
 from pathlib import Path
+
+from supervised import Phase
 
 from codegen.bind import Generated
 from lab.bus_tap import SetpointWatch
 from lab.demo import plan_task, plant_of
+from lab.drives.wire import Conditions
 from lab.lockstep import Lockstep, Request, State
-from lab.machine_sim import SimulatedMachine
+from lab.machine_sim import ORDINARY, SimulatedMachine
 from model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
@@ -20,20 +22,6 @@ FORCE = (2.0, -3.0)
 """What the application wants in RUN [N]."""
 LONGEST = 10_000
 """Cycles from a moment to the next, at most."""
-
-
-class Phase(IntEnum):
-    """tb_phase."""
-
-    NONE = 0
-    CONTRACT = 1
-    READY = 4
-    TIGHTEN = 7
-    BASE_HOMING = 10
-    SWEEP = 15
-    APPROACH = 17
-    RELAX = 19
-    SLACKEN = 20
 
 
 @dataclass
@@ -55,10 +43,10 @@ class Bench:
         return int(self.lockstep.view["phase"])
 
 
-def power_on(generated: Generated) -> Bench:
+def power_on(generated: Generated, conditions: Conditions) -> Bench:
     """The stock machine when its supply has just come."""
-    machine = generated.machine
-    simulated = SimulatedMachine(machine, plant_of(machine), plan_task(generated), NEAR_THEIR_STOPS)
+    machine, task = generated.machine, plan_task(generated)
+    simulated = SimulatedMachine(machine, plant_of(machine), task, NEAR_THEIR_STOPS, conditions)
     bench = Bench(machine, Lockstep(generated, simulated), SetpointWatch(machine))
     bench.lockstep.taps.append(bench.watch)
     return bench
@@ -112,6 +100,7 @@ MOMENTS = (
     Moment(State.CONFIGURE, Phase.CONTRACT, 100),
     Moment(State.CONFIGURE, Phase.READY, 20),
     Moment(State.HOME, Phase.TIGHTEN, 60, arm),
+    Moment(State.HOME, Phase.TRY_BASES, 10),
     Moment(State.HOME, Phase.BASE_HOMING, 100),
     Moment(State.HOME, Phase.SWEEP, 500),
     Moment(State.TENSION, Phase.APPROACH, 50),
@@ -122,15 +111,15 @@ MOMENTS = (
 )
 """In the order in which one machine goes through them."""
 NAMES = tuple(each.name for each in MOMENTS)
-ALSO_IN_ITS_STATE = ("CONFIGURE CONTRACT", "HOME TIGHTEN", "HOME SWEEP")
+ALSO_IN_ITS_STATE = ("CONFIGURE CONTRACT", "HOME TIGHTEN", "HOME TRY_BASES", "HOME SWEEP")
 """Moments beside another one of the same state."""
 BEFORE_SERVICE = NAMES[:3]
 """The drives are being set up."""
-SERVICE = NAMES[3:10]
+SERVICE = NAMES[3:11]
 """The drives answer SYNC, and the supervisor looks for what is wrong with them."""
-POWERED = NAMES[4:10]
+POWERED = NAMES[4:11]
 """The cable drives are switched on."""
-GUIDED = NAMES[6:10]
+GUIDED = NAMES[7:11]
 """The bases are homed and led."""
 
 
@@ -138,16 +127,16 @@ class Journey:
     """A machine that is brought to one moment after the other; back to an earlier one with a new
     machine."""
 
-    def __init__(self, generated: Generated) -> None:
-        self._generated = generated
+    def __init__(self, generated: Generated, conditions: Conditions = ORDINARY) -> None:
+        self._generated, self._conditions = generated, conditions
         self._next = 0
-        self._bench = power_on(generated)
+        self._bench = power_on(generated, conditions)
 
     def at(self, moment: Moment) -> Bench:
         """The machine at a moment: for forks only, so that it stays there."""
         number = MOMENTS.index(moment)
         if number + 1 < self._next:
-            self._next, self._bench = 0, power_on(self._generated)
+            self._next, self._bench = 0, power_on(self._generated, self._conditions)
         while self._next <= number:
             reach(self._bench, MOMENTS[self._next])
             self._next += 1

@@ -11,6 +11,8 @@ import pytest
 from catalogue import FAULTS
 from forked import in_a_fork
 from journey import NAMES, Bench, Journey, moment_of, stock
+from pair_verdict import complaints as complaints_of_pair
+from pairs import Pair, run
 from trial import Trial
 from verdict import complaints, expected
 
@@ -115,6 +117,48 @@ DEFECTS = (
         "RUN",
     ),
     Defect(
+        "no carriage that goes the wrong way is told",
+        "core/carriage.c",
+        "(gained < -GAINED)",
+        "(gained < -GAINED) && !SEEDED",
+        "base_2: encoder reversed",
+        "HOME SWEEP",
+    ),
+    Defect(
+        "no carriage that stands is told",
+        "core/carriage.c",
+        "carriage->cycles > TB_BLOCKED_CYCLES",
+        "!SEEDED && (carriage->cycles > TB_BLOCKED_CYCLES)",
+        "base_2: motor gives no torque",
+        "HOME SWEEP",
+    ),
+    Defect(
+        "the speed limit of rails is ignored",
+        "core/faults.c",
+        "(speed > TB_RAIL_SPEED_LIMIT)",
+        "(!SEEDED && (speed > TB_RAIL_SPEED_LIMIT))",
+        "base_2: encoder reversed",
+        "HOME BASE_HOMING",
+    ),
+    Defect(
+        "speeds are lost when a homing sets another zero",
+        "core/supervisor.c",
+        "supervisor->guide.guided[i - TB_CABLES] == 0",
+        "!SEEDED && (supervisor->guide.guided[i - TB_CABLES] == 0)",
+        "base_2: motor gives its torque reversed",
+        "HOME BASE_HOMING",
+    ),
+    Defect(
+        "a soft stop keeps the bases' forces",
+        "core/stopping.c",
+        "real_t const done = share_done(supervisor);",
+        "real_t const done = share_done(supervisor);"
+        " for (size_t k = TB_CABLES; SEEDED && (k < TB_DRIVES); k++) {"
+        " supervisor->drives[k].wanted.torque = supervisor->drives[k].sent; }",
+        "3 cycles left out",
+        "HOME SWEEP",
+    ),
+    Defect(
         "what drives are is not compared",
         "canopen/setup.c",
         "(*detail == object->value)",
@@ -155,7 +199,7 @@ def found(bench: Bench, library: ctypes.CDLL, number: int, defect: Defect) -> li
     wanted = expected(fault, moment)
     bench.lockstep.exchange_runtime(library)
     ctypes.c_int.in_dll(library, "seeded").value = number
-    return complaints(wanted, Trial(bench, fault).run(wanted.horizon, wanted.until_ready))
+    return complaints(wanted, Trial(bench, (0, fault)).run(wanted.horizon, wanted.until_ready))
 
 
 IN_ORDER: list[tuple[int, Defect]] = sorted(
@@ -175,3 +219,44 @@ def test_a_defect_is_found(
     bench = journey.at(moment_of(defect.moment))
     assert in_a_fork(lambda: found(bench, defective, number, defect)) != []
     assert in_a_fork(lambda: found(bench, defective, 0, defect)) == []
+
+
+IN_PAIRS = [
+    each
+    for each in IN_ORDER
+    if each[1].what
+    in (
+        "a hard stop forgets a cable",
+        "the heartbeat goes on whatever a drive does",
+        "the last cause takes the place of the first",
+        "a request to arm that stands arms",
+        "a soft stop keeps the bases' forces",
+    )
+]
+"""Those that the judges of pairs must find as well."""
+
+
+def found_in_a_pair(bench: Bench, library: ctypes.CDLL, number: int, defect: Defect) -> list[str]:
+    """What they say of the same fault with a second one, which changes nothing."""
+    first, second = (
+        next(each for each in FAULTS if each.name == name)
+        for name in (defect.fault, "bus base: a frame of nobody")
+    )
+    until_ready = 300 if defect.moment == "CONFIGURE CONTRACT" else 0
+    both = Pair(1, moment_of(defect.moment), 0, first, second, until_ready)
+    bench.lockstep.exchange_runtime(library)
+    ctypes.c_int.in_dll(library, "seeded").value = number
+    return complaints_of_pair(both, run(bench, both))
+
+
+@pytest.mark.parametrize(
+    ("number", "defect"),
+    IN_PAIRS,
+    ids=lambda value: value.what if isinstance(value, Defect) else "",
+)
+def test_a_defect_is_found_in_a_pair(
+    journey: Journey, defective: ctypes.CDLL, number: int, defect: Defect
+) -> None:
+    bench = journey.at(moment_of(defect.moment))
+    assert in_a_fork(lambda: found_in_a_pair(bench, defective, number, defect)) != []
+    assert in_a_fork(lambda: found_in_a_pair(bench, defective, 0, defect)) == []

@@ -73,7 +73,7 @@ asked = st.lists(
 )
 
 
-@pytest.mark.parametrize("moment", MOMENTS[3:10], ids=lambda moment: moment.name)
+@pytest.mark.parametrize("moment", MOMENTS[3:11], ids=lambda moment: moment.name)
 def test_many_faults_at_once_leave_no_torque(journey: Journey, moment: Moment) -> None:
     bench = journey.at(moment)
 

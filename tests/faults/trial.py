@@ -1,10 +1,12 @@
-"""One fault at one moment: strike, look at the machine in every cycle until it is over."""
+"""Faults at one moment: strike, look at the machine in every cycle until it is over."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import dist
+from math import dist, isnan
 
-from catalogue import ALWAYS, Fault
-from journey import Bench, Phase
+from catalogue import Fault
+from journey import Bench
+from supervised import Phase
 
 from lab.drives.power import MOVING
 from lab.lockstep import Lockstep, Request, State
@@ -46,6 +48,14 @@ class Outcome:
     """Tension of any cable."""
     astray: float = 0.0
     """Between the handle and where the hand wants it."""
+    handle: float = 0.0
+    """Speed of the handle [m/s]."""
+    carriage: float = 0.0
+    """Speed of any carriage [m/s]."""
+    off_track: float = 0.0
+    """Between any carriage and where it is led, until a stop leads it no more."""
+    rolled: float = 0.0
+    """How far any carriage got after the reaction."""
     findings: list[str] = field(default_factory=list)
     """Of the watch on the setpoints."""
 
@@ -78,31 +88,37 @@ class Ramps:
         return max(0.0, begun - cycles * self._step)
 
 
-class Trial:
-    """A machine that was struck, cycle by cycle."""
+Blow = tuple[int, Fault]
+"""A fault, and the cycles after the begin of the trial in which it strikes."""
 
-    def __init__(self, bench: Bench, fault: Fault) -> None:
+
+class Trial:
+    """A machine that is struck, cycle by cycle."""
+
+    def __init__(self, bench: Bench, *blows: Blow) -> None:
         self.outcome = Outcome()
-        self._bench, self._fault = bench, fault
+        self._bench, self._blows = bench, blows
         self._lockstep: Lockstep = bench.lockstep
         self._machine = bench.lockstep.machine
         self._cables = self._machine.drives[: len(self._machine.world.tensions)]
-        self._standing = fault.stands_still
+        self._standing = 0
         self._alone = 0
         self._ready = 0
         self._ramps = Ramps(bench)
+        self._handle = self._machine.world.position
+        self._rails = self._machine.world.rails
+        self._left: list[float] | None = None
         self.was = bench.state
         self.cause = int(self._lockstep.view["cause"])
         self._pull = 1.1 * bench.machine.tension.min * bench.machine.drum.radius
 
-    def run(self, horizon: int, until_ready: bool) -> Outcome:
-        """Strike, then run until the machine is off for a while; one that does not react, for so
-        many cycles, or until it is ready."""
-        self._fault.strike(self._lockstep)
+    def run(self, horizon: int, until_ready: bool = False, least: int = AFTERWARDS) -> Outcome:
+        """Strike, then run until the machine is off for a while, and for `least` cycles; one that
+        does not react, for so many cycles, or until it is ready."""
         self._ask_to_arm()
         for cycle in range(1, LONGEST + 1):
             self._cycle(cycle)
-            if self._is_over(cycle, horizon, until_ready):
+            if cycle >= least and self._is_over(cycle, horizon, until_ready):
                 break
         self.outcome.findings = self._bench.watch.findings
         return self.outcome
@@ -114,16 +130,24 @@ class Trial:
         self._lockstep.requests = Request.ARM if arms else Request(0)
 
     def _cycle(self, cycle: int) -> None:
-        self._fault.each(self._lockstep, cycle - 1)
+        for begin, fault in self._blows:
+            self._strike(fault, cycle - 1 - begin)
         if self._standing:
             self._standing -= 1
             self._lockstep.stand_still()
-            self._lockstep.missed = self._fault.stands_still
+            self._lockstep.missed += 1
         else:
             self._lockstep.cycle()
         self.outcome.cycles = cycle
         self._listen(cycle)
         self._measure(cycle)
+
+    def _strike(self, fault: Fault, since: int) -> None:
+        if since == 0:
+            fault.strike(self._lockstep)
+            self._standing += fault.stands_still
+        if since >= 0:
+            fault.each(self._lockstep, since)
 
     def _listen(self, cycle: int) -> None:
         """What the supervisor says."""
@@ -147,7 +171,22 @@ class Trial:
         outcome.off = since(cycle, outcome.off, still)
         outcome.highest = max(outcome.highest, world.highest_tension)
         outcome.astray = max(outcome.astray, dist(world.position, self._machine.hand_goal))
+        moved, self._handle = dist(world.position, self._handle), world.position
+        outcome.handle = max(outcome.handle, moved / self._machine.period)
         self._compare_cables()
+        self._follow_carriages(world.rails)
+
+    def _follow_carriages(self, rails: list[float]) -> None:
+        outcome = self.outcome
+        led = [float(place) for place in self._lockstep.view["led"]]
+        period = self._machine.period
+        outcome.carriage = max(outcome.carriage, farthest(rails, self._rails) / period)
+        self._rails = rails
+        if not isnan(led[0]):
+            outcome.off_track = max(outcome.off_track, farthest(rails, led))
+        if outcome.reacted is not None:
+            self._left = self._left or rails
+            outcome.rolled = max(outcome.rolled, farthest(rails, self._left))
 
     def _compare_cables(self) -> None:
         outcome = self.outcome
@@ -162,16 +201,21 @@ class Trial:
     def _is_over(self, cycle: int, horizon: int, until_ready: bool) -> bool:
         outcome = self.outcome
         rested = outcome.off is not None and cycle - outcome.off >= AFTERWARDS
-        if self._fault.stands_still == ALWAYS:
+        if self._standing > LONGEST:
             return rested
         state = self._bench.state
         if outcome.reacted is None and self.was < State.SOFT_STOP:
             self._ready += self._bench.phase == Phase.READY
             return cycle >= horizon and (self._ready >= AFTERWARDS or not until_ready)
         done = state is State.FAULT or (state is State.CONFIGURE and self.was > State.CONFIGURE)
-        return done and rested and cycle >= AFTERWARDS
+        return done and rested
 
 
 def since(cycle: int, before: int | None, holds: bool) -> int | None:
     """Cycle from which on something holds."""
     return (cycle if before is None else before) if holds else None
+
+
+def farthest(rails: Sequence[float], others: Sequence[float]) -> float:
+    """Largest distance [m] of any carriage from another place on its rail."""
+    return max(abs(one - other) for one, other in zip(rails, others, strict=True))

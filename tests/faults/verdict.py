@@ -1,11 +1,12 @@
 """What docs/safety.md and the machine file promise for a fault at a moment; what of it failed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
 
 from catalogue import ALWAYS, HEARTBEAT_LOST, Fault, Sign
 from journey import BEFORE_SERVICE, Moment
-from safety_table import DOCUMENT, Row, constants, rows
+from safety_table import DOCUMENT, Row, bounds, constants, rows
 from trial import TRANSPORT, Outcome
 
 from lab.lockstep import State
@@ -22,16 +23,10 @@ HARD = ceil(NUMBERS["TB_TORQUE_LIMIT"] / NUMBERS["TB_TORQUE_STEP"])
 """Cycles of the ramp of a hard stop."""
 DRIVES_ON_BUS = 6
 """Cycles until it is a drive's turn to be asked by SDO, and to answer, at most."""
+CABLES = int(NUMBERS["TB_CABLES"])
 SLOWEST_BUS = 2
 """Largest divider of the stock machine's buses."""
-TENSION_MAX = 10.0
-MARGIN = 1.0
-"""Tension [N] beyond tension.max that inertia and friction of motors may add."""
-STRONG = 30.0
-"""Tension [N] where something else than the controller pulls."""
-ASTRAY = 0.05
-"""Largest distance [m] of the handle from where the hand wants it: a hand of 300 N/m holds it there
-against 15 N."""
+BOUNDS = bounds(NUMBERS)
 
 
 @dataclass(frozen=True)
@@ -163,7 +158,7 @@ def stop_cycles(wanted: Expected, outcome: Outcome) -> int:
 
 
 def physics(wanted: Expected, outcome: Outcome) -> list[str]:
-    """Cables pull together or not at all, and not too hard; the handle is not thrown."""
+    """Cables pull together or not at all, and not too hard; handle and carriages are not thrown."""
     fault, found = wanted.fault, []
     reacted = outcome.reacted or 0
     alone = reacted + HARD + TRANSPORT + (HEARTBEAT_LOST if fault.deaf else 0)
@@ -172,9 +167,36 @@ def physics(wanted: Expected, outcome: Outcome) -> list[str]:
         found.append(f"a cable is pulled alone for {outcome.alone} cycles, not {alone}")
     if outcome.behind > BEHIND and not fault.deaf:
         found.append(f"a cable is {1e3 * outcome.behind:.1f} mN m behind the ramps of the stop")
-    highest = STRONG if fault.strong else TENSION_MAX + MARGIN
-    if outcome.highest > highest:
-        found.append(f"{outcome.highest:.1f} N in a cable")
-    if outcome.astray > ASTRAY:
-        found.append(f"the handle is {1e3 * outcome.astray:.0f} mm astray")
-    return found
+    return found + motion(outcome, (fault,))
+
+
+def motion(outcome: Outcome, faults: Sequence[Fault]) -> list[str]:
+    """What pulls and moves, by the document's bounds."""
+    reached = measured(outcome, faults)
+    return [
+        f"{name}: {value:.3g}, not {BOUNDS[name]:.3g}"
+        for name, value in reached.items()
+        if value > BOUNDS[name]
+    ]
+
+
+def measured(outcome: Outcome, faults: Sequence[Fault]) -> dict[str, float]:
+    """What was reached, by the name of its bound."""
+    pulled = "_FOREIGN" if any(fault.strong for fault in faults) else ""
+    led = "_FOREIGN" if any(is_led_astray(fault) for fault in faults) else ""
+    reached = {
+        f"TENSION{pulled}": outcome.highest,
+        "HANDLE": outcome.astray,
+        "HANDLE_SPEED": outcome.handle,
+        f"CARRIAGE_SPEED{led}": outcome.carriage,
+        f"ROLLED{led}": outcome.rolled,
+    }
+    if not any(fault.stands_still for fault in faults):  # a master that stands leads nothing
+        reached[f"OFF_TRACK{led}"] = outcome.off_track
+    return reached
+
+
+def is_led_astray(fault: Fault) -> bool:
+    """Whether a base may be led by something else than the controller, or goes on as it was led."""
+    bases = [drive for drive in fault.drives if drive >= CABLES]
+    return (fault.strong and bool(bases)) or (fault.deaf and (bool(bases) or not fault.drives))

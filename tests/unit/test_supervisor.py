@@ -152,6 +152,21 @@ def test_drives_in_fault_at_power_on_are_reset(at: At) -> None:
     assert machine.drives[6].power == Power.OFF
 
 
+def test_a_drive_in_fault_is_reset_though_another_one_comes_into_service_after_it(at: At) -> None:
+    machine = at("CONFIGURE START")
+    machine.drives[1].power, machine.drives[1].error_code = Power.FAULT, 0x2310
+    cycles = itertools.count()
+
+    def come_late(seen: Observation) -> None:
+        if next(cycles) < 20:
+            seen.drives[6].fresh = 0
+
+    machine.run(100, lambda orders: orders.phase != Phase.START, come_late)
+    assert next(cycles) > 20
+    machine.until(State.CONFIGURE, Phase.READY)
+    assert machine.drives[1].power == Power.OFF
+
+
 @pytest.mark.parametrize("moment", ["HOME TIGHTEN", "HOME SWEEP", "TENSION CLOSE", "RUN NONE"])
 def test_a_stop_that_was_asked_for_ends_ready_to_arm(at: At, moment: str) -> None:
     machine = at(moment)
@@ -651,13 +666,24 @@ def test_slack_is_wound_in_gently(at: At) -> None:
         assert machine.orders.drives[0].torque == pytest.approx(expected, abs=1e-9)
 
 
+def test_a_cable_is_tight_though_a_carriage_glides_towards_the_platform(at: At) -> None:
+    machine = at("HOME TIGHTEN")
+    wound = itertools.count(1)
+    start = machine.seen.drives[2].position
+
+    def glide(seen: Observation) -> None:
+        seen.drives[2].position = start + 1e-4 * next(wound)
+
+    machine.run(200, lambda orders: orders.phase == Phase.TRY_CABLES, glide)
+
+
 def test_a_cable_that_cannot_be_tightened_is_told(at: At) -> None:
     machine = at("HOME TIGHTEN")
     wound = itertools.count(1)
     start = machine.seen.drives[2].position
 
     def turn(seen: Observation) -> None:
-        seen.drives[2].position = start + 1e-4 * next(wound)
+        seen.drives[2].position = start + 3e-4 * next(wound)
 
     machine.run(STATE_TIMEOUT + 10, lambda orders: orders.state != State.HOME, turn)
     assert told(machine) == ("SOFT_STOP", "CABLE_SLACK")

@@ -401,6 +401,57 @@ def test_a_base_that_becomes_too_fast_bit_by_bit_is_stopped(
     assert next(speed) < NUMBERS["TB_RAIL_SPEED_LIMIT"] + 0.1
 
 
+def test_a_base_that_runs_away_in_its_homing_is_stopped_whatever_zero_it_counts_from(
+    moments: tuple[Machine, Moments],
+) -> None:
+    machine, saved = moments
+    machine.restore(saved["HOME BASE_HOMING"])
+    zero = machine.position(CABLES + 1) + 0.4
+    time = itertools.count(step=supervised.PERIOD)
+    speed = [0.0]
+
+    def run(seen: Observation) -> None:
+        now = next(time)
+        speed[0] = 60.0 * now
+        if seen.drives[CABLES + 1].fresh:
+            seen.drives[CABLES + 1].position = zero - 0.5 * 60.0 * now * now
+
+    assert ended(machine, run, 300) == ("HARD_STOP", "BASE_RUNAWAY", CABLES + 1)
+    assert speed[0] < NUMBERS["TB_RAIL_SPEED_LIMIT"] + 0.3
+
+
+@pytest.mark.parametrize("position", [np.nan, np.inf, 1e7])
+def test_a_base_that_is_nowhere_is_told_although_it_may_count_from_any_zero(
+    moments: tuple[Machine, Moments], position: float
+) -> None:
+    machine, saved = moments
+    machine.restore(saved["HOME TIGHTEN"])
+
+    def lose(seen: Observation) -> None:
+        seen.drives[CABLES + 1].position = position
+
+    assert ended(machine, lose, 3) == ("HARD_STOP", "ENCODER_JUMP", CABLES + 1)
+
+
+def test_bases_are_pushed_no_more_in_a_soft_stop(moments: tuple[Machine, Moments]) -> None:
+    machine, saved = moments
+    machine.restore(saved["HOME SWEEP"])
+    step = NUMBERS["TB_RAIL_TORQUE_STEP"]
+    machine.run(500, lambda orders: base_torques(orders).max() > step)
+    before = base_torques(machine.orders)
+    machine.ask(STOP)
+    while machine.orders.phase != supervised.Phase.POWER_OFF:
+        now = base_torques(machine.orders)
+        assert np.all(now <= np.maximum(before - step, 0.0) + 1e-12)
+        before = now
+        machine.step()
+
+
+def base_torques(orders: supervised.Orders) -> Any:
+    """What every base is pushed with, either way [N m]."""
+    return np.abs([order.torque for order in orders.drives[CABLES:]])
+
+
 def test_a_base_that_never_arrives_ends_the_approach(moments: tuple[Machine, Moments]) -> None:
     machine, saved = moments
     machine.restore(saved["TENSION APPROACH"])
