@@ -69,6 +69,8 @@ class WatchedDrive:
         self._status, self.power, self.answered_at = -1, Power.NOT_READY, 0.0
         self.is_known = True
         """Its statusword is one of CiA 402."""
+        self.powerless_since: int | None = -1
+        """Cycle since which it shows that it cannot pull."""
         self.power_when_disabled: Power | None = None
         self.is_let_go = False
         """It says that it misses the master's heartbeat."""
@@ -100,7 +102,8 @@ class WatchedDrive:
                 self._judge(value, change, time)
         pulled, self.value = self.value, value
         place = cycle & KEPT - 1
-        self._cycles[place], self._values[place] = cycle, value
+        self._cycles[place] = cycle
+        self._values[place] = value if word & COMMAND == ENABLE else 0
         self._applied, self._pending = self._pending, value
         if self.served_since is None:
             self.served_since = cycle
@@ -151,7 +154,8 @@ class WatchedDrive:
         return self.word & COMMAND in ORDERED
 
     def pull(self, cycle: int) -> int:
-        """What it was told to pull in a cycle, or last before it [per mille]."""
+        """What it was told to pull in a cycle, or last before it [per mille]; 0 when it was to be
+        without torque."""
         for back in range(KEPT):
             place = cycle - back & KEPT - 1
             if self._cycles[place] == cycle - back:
@@ -206,6 +210,10 @@ class WatchedDrive:
 
     def _change_power(self, power: Power, seen: int, time: float) -> None:
         before, self.power = self.power, power
+        if power is Power.ENABLED:
+            self.powerless_since = None
+        elif self.powerless_since is None:
+            self.powerless_since = seen
         self._await_power(seen)
         if power in (Power.FAULT, Power.REACTING):
             if self.is_watched:

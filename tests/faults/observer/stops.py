@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from observer.causes import Cause
 from observer.drive import Find, WatchedDrive
 from observer.limits import Times
-from observer.power import Power
 from observer.promises import Promise
 
 SAME = 2
@@ -24,16 +23,9 @@ class Stop:
     times: Times
     find: Find
     start: dict[str, int] = field(init=False)
-    powerless: set[str] = field(init=False)
-    """Cable drives that had no power when it began."""
 
     def __post_init__(self) -> None:
         self.start = {drive.name: drive.pull(self.begin - 1) for drive in self.drives}
-        self.powerless = {
-            drive.name
-            for drive in self.drives
-            if drive.is_known and drive.power is not Power.ENABLED
-        }
         self._cables = [drive for drive in self.drives if drive.is_cable]
         self._bases = [drive for drive in self.drives if not drive.is_cable]
 
@@ -86,14 +78,15 @@ class Stop:
         for drive in self._hearing(self._cables, cycle):
             most = max(0, self.start[drive.name] - steps * (drive.bounds.step - 1)) + 1
             pull = drive.pull(cycle)
-            if pull > most and drive.is_enabled:
+            if pull > most:
                 self._found(cycle, drive, Promise.HARD_RAMP, f"pulls {pull}, at most {most}")
 
     def hard_without_power(self, cycle: int) -> None:
         """A cable whose drive has no power goes there at once."""
         for drive in self._hearing(self._cables, cycle):
             pull = drive.pull(cycle)
-            if drive.name in self.powerless and pull > 0 and drive.is_enabled:
+            since = drive.powerless_since
+            if since is not None and since <= cycle and pull > 0:
                 self._found(cycle, drive, Promise.HARD_WITHOUT_POWER, f"is told to pull {pull}")
 
     def hard_bases(self, cycle: int) -> None:
@@ -110,7 +103,7 @@ class Stop:
         for drive in self._hearing(self._cables, cycle):
             pull, bounds = drive.pull(cycle), drive.bounds
             most = max(self.start[drive.name], bounds.weakest) + 1
-            if pull > (0 if is_over else most) and drive.is_enabled:
+            if pull > (0 if is_over else most):
                 what = f"pulls {pull}, at most {0 if is_over else most}"
                 self._found(cycle, drive, Promise.SOFT_TO_NONE, what)
             fell = drive.pull(cycle - 1) - pull
@@ -140,7 +133,7 @@ class Stop:
         for drive in self._hearing(self._bases, cycle):
             is_over = cycle >= self.begin + self.times.half_stop + drive.wire.divider
             force = drive.pull(cycle)
-            if is_over and force and drive.is_enabled and drive.axis.drive.mode == "torque":
+            if is_over and force and drive.follows_torque:
                 self._found(cycle, drive, Promise.SOFT_BASES, f"is told a force of {force}")
 
     # -- the end ------------------------------------------------------------------------------
@@ -148,7 +141,7 @@ class Stop:
     def off_in_time(self, cycle: int) -> None:
         """Every drive is switched off."""
         for drive in self._hearing(self.drives, cycle):
-            if drive.is_enabled:
+            if drive.last_enabling >= cycle - drive.wire.divider:
                 self._found(cycle, drive, Promise.OFF_IN_TIME, "is still told to have torque")
 
     def _hearing(self, drives: Sequence[WatchedDrive], cycle: int) -> list[WatchedDrive]:

@@ -115,13 +115,13 @@ class MachineWatch:
         self._is_fault = self._is_fault or cycle == self._faulted_by
 
     def together(self, cycle: int) -> None:
-        """What stops one drive stops all: no cable pulls long while another one does not."""
-        cycles = range(cycle - self.times.slacken - 1, cycle + 1)
+        """What stops one drive stops all: no cable pulls long while another one is switched off."""
+        first = cycle - self.times.slacken - 1
         cables = [drive for drive in self._cables if drive.wire.cycle > cycle]
-        loose = [drive for drive in cables if all(drive.pull(at) == 0 for at in cycles)]
-        for drive in cables:
-            if loose and drive.is_enabled and all(drive.pull(at) > 0 for at in cycles):
-                what = f"pulls on while {loose[0].name} does not"
+        off = [drive for drive in cables if not drive.is_enabled and drive.disabled_in <= first]
+        for drive in cables if off else ():
+            if all(drive.pull(at) > 0 for at in range(first, cycle + 1)):
+                what = f"pulls on while {off[0].name} is switched off"
                 self._found(cycle, drive, Promise.TOGETHER, what)
 
     def switched_off_loose(self, cycle: int) -> None:
@@ -130,8 +130,7 @@ class MachineWatch:
             if drive.disabled_in != cycle or drive.power_when_disabled is not Power.ENABLED:
                 continue
             for other in self._cables:
-                is_heard = other.wire.cycle > cycle
-                if is_heard and other.is_enabled and other.pull(cycle) > 0:
+                if other.wire.cycle > cycle and other.pull(cycle) > 0:
                     what = f"switched off while {other.name} pulls"
                     self._found(cycle, drive, Promise.HARD_BASES, what)
 
