@@ -178,7 +178,8 @@ class WatchedDrive:
         if status != self._status:
             self._change_status(status, time)
         motion = self._motion
-        motion.move(position, self.served_since is not None, self._is_referenced, time)
+        if motion.is_fast(position) and self.served_since is not None:
+            motion.judge_move(self._is_referenced, time)
         if self._enabling < LATENCY or self.power is not Power.ENABLED:
             return
         if self.follows_torque and self.contract.mode != HOMING_MODE:

@@ -29,28 +29,28 @@ class Motion:
 
     def reset(self) -> None:
         """Nothing is known."""
-        self.position = self._moved = self._fast = 0
+        self.position = self._moved = self._moved_before = self._fast = 0
         self.is_known = False
         """The last SYNC was answered: the next move is one of a single SYNC."""
         self._deaf_since = self._pushed_since = self._against_since = -1
         self._pushed_at = self._against = 0
 
-    def move(self, position: int, is_watched: bool, is_referenced: bool, time: float) -> None:
-        """An answer tells where it is."""
-        moved, self.position = position - self.position, position
-        if (self._fast or abs(moved) > self._bounds.move) and self.is_known and is_watched:
-            self._move_fast(moved, is_referenced, time)
-        self._moved, self.is_known = moved, True
+    def is_fast(self, position: int) -> bool:
+        """An answer tells where it is; whether it got there too fast, or lately did."""
+        moved = position - self.position
+        self.position, self._moved, self._moved_before = position, moved, self._moved
+        is_known, self.is_known = self.is_known, True
+        return is_known and (self._fast > 0 or abs(moved) > self._bounds.move)
 
-    def _move_fast(self, moved: int, is_referenced: bool, time: float) -> None:
-        """Too far in one SYNC: at once, or bit by bit."""
+    def judge_move(self, is_referenced: bool, time: float) -> None:
+        """A move that is too far for one SYNC: at once, or bit by bit."""
         most, seen = self._bounds.move, self._times.seen(time)
-        self._fast = self._fast + 1 if abs(moved) > most else 0
+        self._fast = self._fast + 1 if abs(self._moved) > most else 0
         if self._fast >= CERTAIN:
             cause = Cause.RUNAWAY if self._is_cable else Cause.BASE_RUNAWAY
             self._accuse(cause, seen, time)
-        is_jump = abs(moved - self._moved) > 2 * most and abs(self._moved) < most
-        if is_jump and is_referenced:
+        before = self._moved_before
+        if is_referenced and abs(self._moved - before) > 2 * most and abs(before) < most:
             self._accuse(Cause.ENCODER_JUMP, seen, time)
 
     def forget_torque(self) -> None:

@@ -42,7 +42,7 @@ class Observer:
         for number, bus in enumerate(buses):
             bus.listeners.append(self._listener(number, bus, taps is None))
         if taps is not None:
-            taps.append(lambda number, frame: self.hear_master(number, frame, buses[number].time))
+            taps.append(self._tap(buses))
 
     def hear(self, bus: int, frame: Frame, time: float) -> None:
         """A frame had arrived on a bus at that time [s]."""
@@ -84,6 +84,17 @@ class Observer:
                 self.hear_drive(number, frame, bus.time)
 
         return listen
+
+    def _tap(self, buses: Sequence[SimulatedBus]) -> Tap:
+        masters = self._of_master
+
+        def tap(number: int, frame: Frame) -> None:
+            cob, data = frame
+            hear = masters[number].get(cob)
+            if hear is not None:
+                hear(data, buses[number].time)
+
+        return tap
 
     def _masters(self, wire: Wire) -> dict[int, Hear]:
         """What the master says on a bus."""

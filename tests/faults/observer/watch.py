@@ -162,10 +162,12 @@ class MachineWatch:
     # -- time ---------------------------------------------------------------------------------
 
     def _look_at_clocks(self, cycle: int, time: float) -> None:
+        # A bus that misses a SYNC may be off, which stops hard: heartbeats may be withheld then.
+        is_whole = all(cycle - wire.cycle < wire.divider for wire in self.wires)
         for wire in self.wires:
-            if wire.is_served(cycle):
+            if is_whole:
                 self.beats_at_work(wire, cycle, time)
-            elif wire.cycle >= 0:
+            elif wire.cycle >= 0 and not wire.is_served(cycle):
                 due = wire.lost_in + wire.divider - 1
                 self.blame(Cause.BUS_FULL, wire.name, due, time)
         for drive in self.drives:
