@@ -6,7 +6,8 @@ import pytest
 from forked import in_a_fork
 from journey import stock
 from observed import MOMENTS, Heard, Observed, working
-from observer import Observer
+from observer import Observer, Promise
+from observer.causes import Cause
 from tampering import (
     MASTERS_BEAT,
     NODE,
@@ -411,18 +412,54 @@ def fault_again(where: Where, cycle: int, said: Answer) -> Answer:
     return (IN_FAULT, said[1], 0) if where == CABLE_1 else said
 
 
+def refused(tape: Tape) -> list[Heard]:
+    """cable_1 does not let object 6007 be written."""
+    return [
+        with_data(heard, b"\x80\x07\x60\0\x22\0\0\x08")
+        if (heard.bus, heard.frame.cob) == (0, 0x581) and heard.frame.data[1:3] == b"\x07\x60"
+        else heard
+        for heard in tape
+    ]
+
+
+def failed_homing(where: Where, cycle: int, said: Answer) -> Answer:
+    """base_1 says that its homing has failed."""
+    return (said[0] | 0x2000, *said[1:]) if where == BASES[0] else said
+
+
+def never_enabled(where: Where, cycle: int, said: Answer) -> Answer:
+    """base_3 does not get ready."""
+    return (said[0] & ~0x06, *said[1:]) if where == BASES[2] else said
+
+
 BEGINNINGS = {
     "an object that was not written": (without_answer(0x6007), "SET_UP_FIRST", "6007:0"),
     "another current limit": (another_answer(0x3001), "STAYS_IN_FAULT", "DRIVE_DIFFERENT"),
     "an identity that was not read": (without_answer(0x6076), "IDENTITY_FIRST", "6076:0"),
     "a drive that cannot pull": (answers(not_enabled), "NONE_ALONE", "cable_3"),
     "a drive in fault is armed": (answers(fault_again), "NO_TORQUE_BEFORE", "cable_1"),
+    "an object that was refused": (refused, "STAYS_IN_FAULT", "DRIVE_SETUP of cable_1"),
+    "a drive that boots twice": (
+        with_frame(400, 2, 0x702, b"\0"),
+        "STAYS_IN_FAULT",
+        "DRIVE_TWICE of base_2",
+    ),
+    "a homing that fails": (answers(failed_homing), "SOFT_TO_NONE", "HOMING of base_1"),
+    "a base that is not enabled": (answers(never_enabled), "SOFT_TO_NONE", "DRIVE_STUCK of base_3"),
     "a fault is not reset": (answers(fault_again), "FAULTS_RESET", "cable_1"),
 }
 
 
 @pytest.mark.parametrize("beginning", BEGINNINGS)
-def test_a_machine_that_is_armed_too_early_is_found(beginning: str, tapes: Tapes) -> None:
+def test_a_machine_that_goes_on_too_early_is_found(beginning: str, tapes: Tapes) -> None:
     tamper, promise, words = BEGINNINGS[beginning]
     found = tapes.found_from_the_beginning(tamper)
     assert any(f": {promise}: " in each and words in each for each in found), found
+
+
+def test_every_promise_and_cause_is_seen_to_be_found() -> None:
+    tried = {promise for _, _, promise, _ in DEEDS.values()}
+    tried |= {promise for _, promise, _ in BEGINNINGS.values()}
+    assert tried == {promise.name for promise in Promise}
+    words = [*(cause for _, cause in SYMPTOMS.values()), *(each[2] for each in BEGINNINGS.values())]
+    assert {cause.name for cause in Cause} <= {each.split()[0] for each in words}

@@ -26,7 +26,6 @@ class Cause(Enum):
     DRIVE_STUCK = "soft", 8
     DRIVE_DEAF = "hard", 9
     BUS_FULL = "soft", 10
-    BUS_CORRUPT = "soft", 11
     CYCLES_MISSED = "soft", 12
     HOMING = "soft", 13
     ENCODER_JUMP = "hard", 14

@@ -11,7 +11,6 @@ class Promise(Enum):
 
     SET_UP_FIRST = "writes every object of the contract and reads it back; waits for you to arm"
     IDENTITY_FIRST = "The identity is vendor, product and revision where given, rated torque"
-    DIFFERENCE_BARS = "any difference keeps the machine from arming"
     NO_TORQUE_BEFORE = "nothing has torque yet: the machine stays without"
     NONE_ALONE = "No cable pulls while another one that should pull cannot"
     WITHIN_LIMITS = "Every setpoint passes the torque gate"
@@ -23,7 +22,6 @@ class Promise(Enum):
         " together to none"
     )
     SOFT_BASES = "the bases' forces go to none in the first half"
-    SOFT_OFF = "then every drive is switched off"
     HARD_RAMP = "`ceil(TB_TORQUE_LIMIT / TB_TORQUE_STEP)` cycles"
     HARD_WITHOUT_POWER = "a cable whose drive has no power at once"
     HARD_BASES = "base drives are switched off at once, cable drives when no cable pulls"

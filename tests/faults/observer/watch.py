@@ -56,7 +56,7 @@ class MachineWatch:
             return
         if cycle > self._cycle + 1 and self._cycle >= 0:
             self._miss_cycles(cycle, time)
-        if not cycle & 3:
+        if not cycle & 7:
             self._look_at_clocks(self._cycle, time)
         self._cycle = cycle
         for past in range(self._closed + 1, cycle - 1):
