@@ -138,7 +138,7 @@ static void route(tb_network *network, size_t index, const tb_can_frame *frame, 
     } else if (!tb_drive_link_take(link, frame, in_time)) {
         count_up(&bus->malformed);
     } else {
-        /* the drive's own affair */
+        tb_echo_hear(&bus->echo);
     }
 }
 

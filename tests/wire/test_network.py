@@ -541,6 +541,16 @@ def test_an_adapter_that_loses_an_echo_now_and_then_is_no_other_master(bench: Be
     assert strangers(bench, 300) == set()
 
 
+@pytest.mark.parametrize("heard", [False, True])
+def test_what_was_sent_while_no_drive_could_acknowledge_it_is_no_lost_echo(heard: bool) -> None:
+    echo, sync = C.new("tb_echo"), C.frame(Frame(0x080, b""))
+    for cycle in range(300):
+        if heard or cycle in (0, 100, 299):
+            C.tb_echo_hear(byref(echo))
+        C.tb_echo_keep(byref(echo), byref(sync))
+    assert bool(C.tb_echo_take(byref(echo), byref(sync))) is not heard
+
+
 @pytest.mark.parametrize("frame", MASTERS.values(), ids=MASTERS)
 def test_behind_an_adapter_that_echoes_another_master_is_named_still(
     bench: Bench, frame: Frame
