@@ -677,14 +677,19 @@ def test_a_cable_is_tight_though_a_carriage_glides_towards_the_platform(at: At) 
     machine.run(200, lambda orders: orders.phase == Phase.TRY_CABLES, glide)
 
 
-def test_a_cable_that_cannot_be_tightened_is_told(at: At) -> None:
+@pytest.mark.parametrize(
+    ("speed", "expected"), [(0.3, ("SOFT_STOP", "CABLE_SLACK")), (-0.3, ("HARD_STOP", "WRONG_WAY"))]
+)
+def test_a_cable_that_cannot_be_tightened_is_told(
+    at: At, speed: float, expected: tuple[str, str]
+) -> None:
     machine = at("HOME TIGHTEN")
     wound = itertools.count(1)
     start = machine.seen.drives[2].position
 
     def turn(seen: Observation) -> None:
-        seen.drives[2].position = start + 3e-4 * next(wound)
+        seen.drives[2].position = start + speed * supervised.PERIOD * next(wound)
 
     machine.run(STATE_TIMEOUT + 10, lambda orders: orders.state != State.HOME, turn)
-    assert told(machine) == ("SOFT_STOP", "CABLE_SLACK")
+    assert told(machine) == expected
     assert machine.orders.culprit == 2

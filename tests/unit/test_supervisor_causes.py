@@ -62,7 +62,11 @@ SYMPTOMS: dict[str, list[Spoil]] = {
     "STRANGER": [bus(stranger=17)],
     "DRIVE_LOCAL": [drive(silent=2)],
     "OTHER_MASTER": [bus(stranger=0x81), bus(stranger=0x80)],
-    "DRIVE_SILENT": [drive(silent=1), drive(missed=3, fresh=0)],
+    "DRIVE_SILENT": [
+        drive(silent=1),
+        drive(missed=3, fresh=0),
+        drive(silent=2, missed=3, fresh=0),
+    ],
     "DRIVE_LATE": [drive(late=3)],
     "DRIVE_FAULT": [
         drive(power=Power.FAULT),
