@@ -34,6 +34,7 @@ static void count_status(tb_drive_link *link, bool in_time)
         link->late = 0;
     } else {
         link->late = count_up(link->late);
+        link->most_late = (link->late > link->most_late) ? link->late : link->most_late;
     }
     link->answered = 1;
     link->missed = 0;
@@ -75,6 +76,7 @@ static bool take_error_control(tb_drive_link *link, const tb_can_frame *frame)
     bool const taken = tb_heartbeat_take(&link->heartbeat, frame);
     if (taken && (link->heartbeat.state == TB_NMT_BOOTED)) {
         link->emergency = none;
+        link->booted = 1;
     }
     return taken;
 }
@@ -120,11 +122,14 @@ static void forget_status(tb_drive_link *link)
     link->controlword = 0;
     link->missed = 0;
     link->late = 0;
+    link->most_late = 0;
 }
 
+/* A boot-up message tells that the drive is not operational, even where the heartbeat of a second one
+ * with its number came after it. */
 static bool is_heard(const tb_drive_link *link)
 {
-    return (link->heartbeat.age <= (uint32_t)TB_HEARTBEAT_TIMEOUT) &&
+    return (link->booted == 0) && (link->heartbeat.age <= (uint32_t)TB_HEARTBEAT_TIMEOUT) &&
            (link->heartbeat.state == TB_NMT_OPERATIONAL);
 }
 
@@ -180,7 +185,7 @@ static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_repor
     report->fresh = link->fresh;
     report->age = age;
     report->missed = link->missed;
-    report->late = link->late;
+    report->late = link->most_late;
     report->silent = (uint8_t)silence(link);
 }
 
@@ -208,6 +213,8 @@ void tb_drive_link_report(tb_drive_link *link, uint8_t age, bool is_over, tb_dri
     report_status(link, age, report);
     report_task(&link->setup, report);
     link->fresh = 0;
+    link->most_late = link->late;
+    link->booted = 0;
 }
 
 /* ---- Setpoints ---- */

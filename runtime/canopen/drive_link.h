@@ -39,6 +39,8 @@ typedef struct {
     uint8_t fresh;          /* 1: one came in time since the last report */
     uint8_t missed;         /* SYNCs in a row without an answer */
     uint8_t late;           /* answers in a row that came too late */
+    uint8_t booted;         /* 1: a boot-up message came since the last report */
+    uint8_t most_late;      /* the most of them since the last report */
     uint8_t homing_syncs;   /* SYNCs since homing was started; stops at 255 */
 } tb_drive_link;
 

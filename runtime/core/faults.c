@@ -63,10 +63,13 @@ static bool has_left(const tb_drive_memory *drive, const tb_drive_report *report
     return !has_power || (follows && (report->mode != drive->wanted.mode));
 }
 
+/* A drive that is to switch off gives no torque meanwhile. */
 static bool obeys(const tb_drive_memory *drive, const tb_drive_report *report, real_t limit)
 {
-    bool const follows = (drive->reached != 0) && (drive->wanted.goal == TB_GOAL_ENABLED) &&
-                         (report->mode == TB_MODE_TORQUE);
+    bool const works = (drive->reached != 0) && (drive->wanted.goal == TB_GOAL_ENABLED);
+    bool const lingers =
+        (drive->wanted.goal == TB_GOAL_OFF) && (report->power == TB_POWER_ENABLED);
+    bool const follows = (works || lingers) && (report->mode == TB_MODE_TORQUE);
     return !follows || (TB_ABS(report->torque - drive->sent) <= DEAF_SHARE * limit);
 }
 

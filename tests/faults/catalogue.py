@@ -391,13 +391,10 @@ def set_up(target: Target) -> Iterator[Fault]:
     twice = (Sign("DRIVE_TWICE", turn, (IDENTIFY, CONTRACT)), *later("DRIVE_TWICE", 0))
     vendor = (Sign("DRIVE_DIFFERENT", str(BOOTED), (INIT,)),)
     contract = Sign("DRIVE_SETUP", str(SET_UP), (IDENTIFY, CONTRACT))
-    # In SOFT_STOP a heartbeat of the first base follows the second one's only sign of life, its
-    # boot-up message, in the same cycle, and hides it.
-    heard = SERVICE[:-1] if target is BASE else SERVICE
     second = (
         Sign("DRIVE_TWICE", f"{SET_UP}", BEFORE_SERVICE),
         Sign("DRIVE_SETUP", f"{SET_UP}", BEFORE_SERVICE),
-        Sign("DRIVE_SILENT", str(BOOTED), heard),
+        Sign("DRIVE_SILENT", str(BOOTED)),
     )
     hit = partial(target.disturb, SDO_ANSWER)
     fault = target.fault

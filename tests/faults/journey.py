@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from observer import Observer
 from supervised import Phase
 
 from codegen.bind import Generated
@@ -26,11 +27,13 @@ LONGEST = 10_000
 
 @dataclass
 class Bench:
-    """A machine in lockstep, and the watch on its setpoints."""
+    """A machine in lockstep, the watch on its setpoints, and an observer of the wire who knows
+    docs/safety.md alone."""
 
     machine: Machine
     lockstep: Lockstep
     watch: SetpointWatch
+    observer: Observer
 
     @property
     def state(self) -> State:
@@ -47,8 +50,9 @@ def power_on(generated: Generated, conditions: Conditions) -> Bench:
     """The stock machine when its supply has just come."""
     machine, task = generated.machine, plan_task(generated)
     simulated = SimulatedMachine(machine, plant_of(machine), task, NEAR_THEIR_STOPS, conditions)
-    bench = Bench(machine, Lockstep(generated, simulated), SetpointWatch(machine))
-    bench.lockstep.taps.append(bench.watch)
+    lockstep, watch = Lockstep(generated, simulated), SetpointWatch(machine)
+    lockstep.taps.append(watch)
+    bench = Bench(machine, lockstep, watch, Observer(machine, simulated.buses, lockstep.taps))
     return bench
 
 

@@ -120,8 +120,16 @@ class Trial:
             self._cycle(cycle)
             if cycle >= least and self._is_over(cycle, horizon, until_ready):
                 break
-        self.outcome.findings = self._bench.watch.findings
+        self.outcome.findings = self._bench.watch.findings + self._observed()
         return self.outcome
+
+    def _observed(self) -> list[str]:
+        """What the observer of the wire says of one fault, unless it keeps the master from sending:
+        of that the document promises what the drives do."""
+        faults = [fault for _, fault in self._blows]
+        if len(faults) > 1 or any(fault.stands_still or fault.deaf for fault in faults):
+            return []
+        return [f"observer: {words}" for words in self._bench.observer.findings]
 
     def _ask_to_arm(self) -> None:
         """A request that stands, to see that nothing arms again by itself."""

@@ -215,6 +215,51 @@ def test_an_answer_after_the_last_collect_is_used_but_is_late_and_not_fresh(
     assert (running.seen.drives[drive].late, running.seen.drives[drive].missed) == (0, 0)
 
 
+def test_a_boot_up_message_counts_although_a_heartbeat_follows_it_in_the_same_cycle(
+    bench: Bench,
+) -> None:
+    bench.bring_up()
+    collect = bench.collect
+
+    def boots() -> None:
+        bench.give(0, Frame(0x701, b"\x00"), Frame(0x701, b"\x05"))
+        collect()
+
+    bench.collect = boots  # type: ignore[method-assign]
+    bench.cycle()
+    assert fields(bench, "silent")[0] == 1
+    bench.collect = collect  # type: ignore[method-assign]
+    bench.cycle()
+    assert fields(bench, "silent")[0] == 0
+
+
+def test_the_last_of_some_late_answers_counts_although_a_punctual_one_follows_at_once(
+    bench: Bench,
+) -> None:
+    bench.bring_up()
+    held: list[Frame] = []
+    told: list[int] = []
+
+    def late(bus: int, frame: Frame) -> list[Frame]:
+        if (bus, frame.id) != (0, 0x181) or len(told) >= 3:
+            return [frame]
+        held.append(frame)
+        return []
+
+    bench.answers = late
+    collect = bench.collect
+
+    def collected() -> None:
+        collect()
+        told.append(bench.seen.drives[0].late)
+        bench.give(0, *held)  # before the next SYNC
+        held.clear()
+
+    bench.collect = collected  # type: ignore[method-assign]
+    bench.cycle(6)
+    assert max(told) == 3 and told[-1] == 0
+
+
 @pytest.mark.parametrize("moment", ["after the collect", "before the next collect"])
 def test_on_a_slower_bus_an_answer_in_the_next_cycle_is_in_time(
     running: Bench, moment: str
