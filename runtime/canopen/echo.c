@@ -52,8 +52,17 @@ static bool is_kept(const tb_echo *echo, const tb_can_frame *frame)
     return kept;
 }
 
+/* Whether the adapter does not echo: then nothing has to be remembered. */
+static bool is_over(const tb_echo *echo)
+{
+    return echo->losses >= MOST_LOSSES;
+}
+
 void tb_echo_keep(tb_echo *echo, const tb_can_frame *frame)
 {
+    if (is_over(echo)) {
+        return;
+    }
     uint8_t const passed = (echo->acknowledged > 0) ? 1 : 0;
     if ((passed == 0) && is_kept(echo, frame)) {
         return;
@@ -86,10 +95,10 @@ static tb_echo_frame *find_awaited(tb_echo *echo, const tb_can_frame *frame, uin
 
 bool tb_echo_take(tb_echo *echo, const tb_can_frame *frame)
 {
-    tb_echo_frame *const sent = find_awaited(echo, frame, 1);
-    if (echo->losses >= MOST_LOSSES) {
+    if (is_over(echo)) {
         return false;
     }
+    tb_echo_frame *const sent = find_awaited(echo, frame, 1);
     if (sent != NULL) {
         sent->returned = 1;
         return true;

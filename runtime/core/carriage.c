@@ -1,7 +1,5 @@
 #include "carriage.h"
 
-#include <stdbool.h>
-
 #include "tb_drives.h"
 #include "tb_machine.h"
 
@@ -11,11 +9,14 @@
 /* Speed gained against the force: more than any encoder's count makes of a carriage that brakes. */
 #define GAINED (TB_RAIL_SPEED_LIMIT * TB_C(0.05))
 
-static const tb_carriage at_rest;
-
 void tb_carriage_rest(tb_carriage *carriage)
 {
-    *carriage = at_rest;
+    carriage->pushed = 0;
+}
+
+bool tb_carriage_is_pushed(real_t torque)
+{
+    return TB_ABS(torque) >= PUSH;
 }
 
 static void forget_range(tb_carriage *carriage, real_t position)
@@ -63,10 +64,6 @@ static bool is_blocked(tb_carriage *carriage, const tb_carriage_motion *seen)
 
 tb_cause tb_carriage_look(tb_carriage *carriage, const tb_carriage_motion *seen)
 {
-    if (TB_ABS(seen->torque) < PUSH) {
-        tb_carriage_rest(carriage);
-        return TB_CAUSE_NONE;
-    }
     if (!goes_on(carriage, seen->torque)) {
         begin_push(carriage, seen);
     }

@@ -7,7 +7,7 @@
 #ifndef TB_CARRIAGE_H
 #define TB_CARRIAGE_H
 
-#include <stddef.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "cause.h"
@@ -33,7 +33,10 @@ typedef struct {
 /** Forget the push. */
 void tb_carriage_rest(tb_carriage *carriage);
 
-/** Look at one cycle: TB_CAUSE_NONE, TB_CAUSE_BASE_BLOCKED or TB_CAUSE_WRONG_WAY. */
+/** Whether a drive pushes so hard [N m] that its carriage tells something. */
+bool tb_carriage_is_pushed(real_t torque);
+
+/** Look at one cycle in which it does: TB_CAUSE_NONE, TB_CAUSE_BASE_BLOCKED or TB_CAUSE_WRONG_WAY. */
 tb_cause tb_carriage_look(tb_carriage *carriage, const tb_carriage_motion *seen);
 
 #endif

@@ -98,14 +98,16 @@ static tb_cause look_at_carriage(tb_supervisor *supervisor, const tb_drive_repor
 {
     size_t const drive = TB_CABLES + rail;
     const tb_drive_memory *const base = &supervisor->drives[drive];
-    tb_carriage_motion const motion = {
-        .position = tb_measured_position(&supervisor->measurement, drive),
-        .speed = tb_measured_speed(&supervisor->measurement, drive),
-        .torque = tb_follows_position(drive) ? report->torque : base->sent};
-    if ((supervisor->guide.guided[rail] == 0) || (base->reached == 0)) {
+    real_t const torque = tb_follows_position(drive) ? report->torque : base->sent;
+    if ((supervisor->guide.guided[rail] == 0) || (base->reached == 0) ||
+        !tb_carriage_is_pushed(torque)) {
         tb_carriage_rest(&supervisor->carriages[rail]);
         return TB_CAUSE_NONE;
     }
+    tb_carriage_motion const motion = {
+        .position = tb_measured_position(&supervisor->measurement, drive),
+        .speed = tb_measured_speed(&supervisor->measurement, drive),
+        .torque = torque};
     return tb_carriage_look(&supervisor->carriages[rail], &motion);
 }
 

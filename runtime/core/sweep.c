@@ -1,6 +1,6 @@
 /* The sweep that tells the cables' zeros. Bases swing about the middle of their rails, each with a
  * rhythm of its own and none with the platform: that shows the zeros while a hand holds the
- * platform. Nobody may hold it: under equal tensions it then rests where opposite cables are in
+ * platform. A platform that nobody holds rests, under equal tensions, where opposite cables are in
  * line, which hides the zeros; so each cable in turn pulls a little more. A machine without rails
  * has only its user: a pose is measured whenever the platform has been moved on. */
 #include "drive_orders.h"

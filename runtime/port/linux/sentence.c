@@ -152,6 +152,11 @@ static void tell_detail(const tb_orders *orders, size_t room, char text[])
         snprintf(text, room, ": of node %" PRIu32, orders->detail);
     } else if (orders->cause == TB_CAUSE_OTHER_MASTER) {
         snprintf(text, room, ": it sent %s", master_message(orders->detail));
+    } else if (orders->cause == TB_CAUSE_CALIBRATION) {
+        snprintf(text, room, "%s", (orders->detail == (uint32_t)TB_CALIBRATION_OPEN)
+                                       ? ": the lengths do not close; an encoder counts wrongly, or pulleys, "
+                                         "rails or anchors are not as in the machine file"
+                                       : ": the poses do not tell them apart");
     } else if (orders->cause == TB_CAUSE_CYCLES_MISSED) {
         snprintf(text, room, ": %" PRIu32 " cycles at once", orders->detail);
     } else {
