@@ -1,0 +1,69 @@
+"""Keeps what became of mutants, as long as nothing that decided it has changed."""
+
+import hashlib
+import json
+from collections.abc import Iterable
+from pathlib import Path
+
+from lab.mutants.mutation import Mutation
+from lab.mutants.objects import ROOT
+from lab.mutants.suites import suite_of
+from lab.mutants.trial import KEPT, Verdict, made
+
+#: What a test can read beside itself and the modules next to it.
+READ = ("runtime", "generated", "machines", "model", "codegen", "lab")
+SUFFIXES = frozenset([".c", ".h", ".py", ".toml", ".jinja"])
+
+
+class Verdicts:
+    """The verdicts of earlier runs, in a file."""
+
+    def __init__(self, file: Path = KEPT / "verdicts.json") -> None:
+        self._file = file
+        self._kept = json.loads(file.read_text()) if file.exists() else {}
+        own = Path(__file__).parent
+        files = [path for name in READ for path in _files(ROOT / name) if own not in path.parents]
+        self._rest = _digest([*files, *(ROOT / "tests").glob("*.py")])
+
+    def find(self, mutant: Mutation, source: str) -> Verdict | None:
+        """The verdict on this very mutant by these very tests."""
+        key, *verdict = self._kept.get(_name(mutant, source), [""])
+        return Verdict(*verdict) if key == self._key(mutant, source) else None
+
+    def last_killer(self, mutant: Mutation, source: str) -> list[str]:
+        """The test that noticed such a mutant before, whatever has changed: the first to ask."""
+        kept = self._kept.get(_name(mutant, source), ["", ""])[1]
+        return [kept] if "::" in kept and (ROOT / kept.split("::")[0]).exists() else []
+
+    def keep(self, mutant: Mutation, source: str, verdict: Verdict) -> None:
+        """Keep a verdict."""
+        self._kept[_name(mutant, source)] = [self._key(mutant, source), *verdict]
+        made(self._file.parent)
+        self._file.write_text(json.dumps(self._kept, indent=1))
+
+    def _key(self, mutant: Mutation, source: str) -> str:
+        tests = [ROOT / name for name in suite_of(mutant.file)]
+        beside = {path for test in tests for path in test.parent.glob("*.py")}
+        read = {*tests, *(path for path in beside if not path.name.startswith("test_"))}
+        text = f"{mutant.of(source)}{self._rest}{_digest(read)}"
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def line_of(mutant: Mutation, source: str) -> str:
+    """The line that is changed, as it is."""
+    return source.splitlines()[mutant.line - 1].strip()
+
+
+def _name(mutant: Mutation, source: str) -> str:
+    return f"{mutant.file}: {line_of(mutant, source)}: {mutant.words}"
+
+
+def _files(folder: Path) -> list[Path]:
+    return [path for path in folder.rglob("*") if path.suffix in SUFFIXES]
+
+
+def _digest(files: Iterable[Path]) -> str:
+    digest = hashlib.sha256()
+    for path in sorted(files):
+        digest.update(str(path.relative_to(ROOT)).encode() + path.read_bytes())
+    return digest.hexdigest()
