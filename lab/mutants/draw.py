@@ -1,12 +1,12 @@
 """Draws mutants at random, the same for the same seed."""
 
-import random
+import hashlib
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 from lab.mutants.mutation import Mutation, mutations
-from lab.mutants.objects import ROOT, ObjectCode, object_code
+from lab.mutants.objects import ROOT, Originals
 
 RUNTIME = ROOT / "runtime"
 FOLDERS = ("core", "canopen")
@@ -21,31 +21,28 @@ def sources() -> dict[str, str]:
 
 
 def drawn(count: int, seed: int, progress: Progress = lambda done: None) -> list[Mutation]:
-    """So many mutants of the runtime, in the order in which they were drawn."""
+    """So many mutants of the runtime. Where it changes, those of other lines stay the same."""
+    texts = sources()
     found: list[Mutation] = []
     with tempfile.TemporaryDirectory() as folder:
-        for mutant in _mutants(seed, Path(folder)):
-            found.append(mutant)
-            progress(len(found))
+        originals = Originals(Path(folder))
+        for change in _in_drawn_order(texts, seed):
+            text = texts[change.file]
+            if originals.differ(change.file, text, change.of(text)):
+                found.append(change)
+                progress(len(found))
             if len(found) == count:
                 break
     return found
 
 
-def _mutants(seed: int, folder: Path) -> Iterator[Mutation]:
-    texts = sources()
+def _in_drawn_order(texts: dict[str, str], seed: int) -> list[Mutation]:
+    """All changes, in an order that each one's own words tell."""
+
+    def place(change: Mutation) -> bytes:
+        line = change.line_in(texts[change.file])
+        words = f"{seed} {change.file} {line} {change.words}"
+        return hashlib.sha256(words.encode()).digest()
+
     every = [change for file, text in texts.items() for change in mutations(file, text)]
-    random.Random(seed).shuffle(every)
-    originals: dict[str, ObjectCode] = {}
-    for change in every:
-        text = texts[change.file]
-        if change.file not in originals:
-            originals[change.file] = object_code(change.file, text, folder)
-        if is_mutant(originals[change.file], object_code(change.file, change.of(text), folder)):
-            yield change
-
-
-def is_mutant(original: ObjectCode, changed: ObjectCode) -> bool:
-    """Whether a change compiles wherever the original does, to something else somewhere."""
-    pairs = [pair for pair in zip(original, changed, strict=True) if pair[0] is not None]
-    return all(after is not None for _, after in pairs) and any(a != b for a, b in pairs)
+    return sorted(every, key=place)

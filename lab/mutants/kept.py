@@ -49,13 +49,8 @@ class Verdicts:
         return hashlib.sha256(text.encode()).hexdigest()
 
 
-def line_of(mutant: Mutation, source: str) -> str:
-    """The line that is changed, as it is."""
-    return source.splitlines()[mutant.line - 1].strip()
-
-
 def _name(mutant: Mutation, source: str) -> str:
-    return f"{mutant.file}: {line_of(mutant, source)}: {mutant.words}"
+    return f"{mutant.file}: {mutant.line_in(source)}: {mutant.words}"
 
 
 def _files(folder: Path) -> list[Path]:

@@ -44,6 +44,8 @@ KEYWORDS = frozenset(
 )
 #: What follows the first word of a statement that does something.
 ACTS = frozenset(["=", "+=", "-=", "*=", "|=", "&=", "++", "--", "(", "[", "->", "."])
+#: Functions for which the order of their arguments is none.
+COMMUTATIVE = frozenset(["tb_min", "tb_max"])
 
 
 class Mutation(NamedTuple):
@@ -59,6 +61,10 @@ class Mutation(NamedTuple):
     def of(self, source: str) -> str:
         """The source with the change."""
         return source[: self.start] + self.new + source[self.start + len(self.old) :]
+
+    def line_in(self, source: str) -> str:
+        """The line that is changed, as it is."""
+        return source.splitlines()[self.line - 1].strip()
 
     @property
     def words(self) -> str:
@@ -139,7 +145,8 @@ def swapped(source: str, tokens: Tokens) -> Changes:
     for number in range(2, len(tokens)):
         before, name, opening = tokens[number - 2 : number + 1]
         declares = before.kind == "word" and before.text not in KEYWORDS
-        if opening.text == "(" and name.kind == "word" and not declares:
+        matters = name.kind == "word" and name.text not in COMMUTATIVE
+        if opening.text == "(" and matters and not declares:
             given = arguments(tokens, number)
             for (start, middle), (again, end) in zip(given, given[1:], strict=False):
                 first, second = source[start:middle].strip(), source[again:end].strip()

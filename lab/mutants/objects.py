@@ -12,19 +12,36 @@ MACHINES = (STOCK, "yoon_fixed_diagonal", "yoon_synchronised", "spidar_g")
 SINGLE = "yoon_synchronised"
 """With one rail as well: some files ask how many there are."""
 
-ObjectCode = tuple[bytes | None, ...]
 
+class Originals:
+    """Object code of the runtime as it is, and of changes of it, by gcc -O1 for some machines.
 
-def object_code(file: str, source: str, folder: Path) -> ObjectCode:
-    """What gcc -O1 makes of a file of runtime/ for each of some machines; None where it refuses.
-
-    A machine that has no table of drives takes the stock machine's. folder: for what is made.
+    A machine that has no table of drives takes the stock machine's.
     """
-    place = folder / Path(file).name
-    place.write_text(source)
-    own = ROOT / "runtime" / Path(file).parent
-    machines = [*(GENERATED / name for name in MACHINES), _with_one_rail(folder / SINGLE)]
-    return tuple(_compiled(place, own, machine) for machine in machines)
+
+    def __init__(self, folder: Path) -> None:
+        """folder: for what is made."""
+        self._folder = folder
+        self._machines = [*(GENERATED / name for name in MACHINES), _with_one_rail(folder / SINGLE)]
+        self._kept: dict[tuple[str, Path], bytes | None] = {}
+
+    def differ(self, file: str, source: str, changed: str) -> bool:
+        """Whether a change of a file of runtime/ compiles, and makes other code for a machine."""
+        for machine in self._machines:
+            key = file, machine
+            if key not in self._kept:
+                self._kept[key] = self._compiled(file, source, machine)
+            original = self._kept[key]
+            if original is not None:
+                product = self._compiled(file, changed, machine)
+                if product != original:
+                    return product is not None
+        return False
+
+    def _compiled(self, file: str, source: str, machine: Path) -> bytes | None:
+        place = self._folder / Path(file).name
+        place.write_text(source)
+        return _object_code(place, ROOT / "runtime" / Path(file).parent, machine)
 
 
 def _with_one_rail(folder: Path) -> Path:
@@ -37,7 +54,7 @@ def _with_one_rail(folder: Path) -> Path:
     return folder
 
 
-def _compiled(place: Path, own: Path, machine: Path) -> bytes | None:
+def _object_code(place: Path, own: Path, machine: Path) -> bytes | None:
     product = place.with_suffix(".o")
     product.unlink(missing_ok=True)
     runtime = [own, *(ROOT / "runtime" / name for name in ("core", "canopen", "can"))]

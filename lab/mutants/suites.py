@@ -2,6 +2,7 @@
 
 SUPERVISOR = (
     "tests/unit/test_directions.py",
+    "tests/unit/test_supervisor_one_rail.py",
     "tests/unit/test_supervisor_without_rails.py",
     "tests/unit/test_supervisor.py",
     "tests/unit/test_supervisor_causes.py",

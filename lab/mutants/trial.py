@@ -17,7 +17,7 @@ from lab.mutants.compiler import GCC, MUTANT, OBJECTS, ORIGINAL
 from lab.mutants.objects import ROOT
 
 KEPT = ROOT / "build" / "mutants"
-LONGEST = 40
+LONGEST = 25
 """Seconds of the processor that one test may take; a loop without an end takes more."""
 WALL = 1800
 """Seconds that all of them may take, however busy the computer is."""
@@ -69,7 +69,7 @@ class Trial:
         if code == pytest.ExitCode.OK:
             return SURVIVES
         if code in (pytest.ExitCode.TESTS_FAILED, pytest.ExitCode.INTERRUPTED):
-            return Verdict(last or "collection", "fails")
+            return Verdict(last, "fails")
         raise RuntimeError(f"pytest ended with {code}:\n{output}")
 
 
@@ -91,12 +91,18 @@ class _Witness:
     def __init__(self, seen: Path) -> None:
         self._seen = seen
 
+    def pytest_collectstart(self, collector: pytest.Collector) -> None:
+        self._write(collector.nodeid)
+
     def pytest_runtest_logstart(self, nodeid: str) -> None:
-        with self._seen.open("a") as file:
-            file.write(f"\n{nodeid}")
+        self._write(nodeid)
         used = resource.getrusage(resource.RUSAGE_SELF)
         limit = int(used.ru_utime + used.ru_stime) + LONGEST
         resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
+
+    def _write(self, name: str) -> None:
+        with self._seen.open("a") as file:
+            file.write(f"\n{name}")
 
 
 def _run_in_fork(folder: Path, original: Path, changed: Path, tests: list[str]) -> None:

@@ -211,6 +211,13 @@ def test_a_controller_started_on_a_bad_reading_waits_safely_for_a_good_one(
     assert np.abs(outputs.velocity[10]).max() <= eps(outputs) * machine.control.rate
 
 
+def test_torques_and_the_memory_of_bases_are_taken_over(controller: Controller) -> None:
+    torque, base = (np.arange(controller.memory[name].size) + 0.5 for name in ("torque", "base"))
+    controller.take_over(torque, base)
+    assert controller.memory["torque"].ravel().tolist() == torque.tolist()
+    assert controller.memory["base"].ravel().tolist() == base.tolist()
+
+
 def test_a_force_no_hand_can_have_is_a_broken_sensor(
     machine: Machine, controller: Controller
 ) -> None:

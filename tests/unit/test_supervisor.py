@@ -35,6 +35,11 @@ from supervised import (
 
 NUMBERS = constants(supervised.STOCK)
 STATE_TIMEOUT = int(NUMBERS["TB_STATE_TIMEOUT"])
+HOMING_TIMEOUT = int(NUMBERS["TB_HOMING_TIMEOUT"])
+TIMED_OUT = STATE_TIMEOUT + 1
+"""Cycles in a phase after which a wait is over."""
+POWERED = 7
+"""Cycles until an ideal base drive is under power."""
 HEARTBEAT_TIMEOUT = int(NUMBERS["TB_HEARTBEAT_TIMEOUT"])
 STOP_CYCLES = int(NUMBERS["TB_STOP_CYCLES"])
 TIGHT = DRUM * NUMBERS["TB_TENSION_MIN"]
@@ -126,6 +131,17 @@ def test_no_base_is_led_faster_than_a_tenth_of_its_limit_before_run(
         moved = (abs(a - b) for a, b in zip(machine.rails, before, strict=True))
         fastest = max(fastest, *moved)
     assert fastest / (2 * supervised.PERIOD) < 0.15 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
+
+
+def test_each_cable_in_turn_pulls_a_fifth_of_its_range_more_in_the_sweep(at: At) -> None:
+    machine = at("HOME SWEEP")
+    strongest = np.zeros(CABLES)
+    while machine.orders.phase == Phase.SWEEP:
+        strongest = np.maximum(strongest, torques(machine))
+        assert sum(torques(machine) > 1.001 * TIGHT) <= 1
+        machine.step()
+    extra = 0.2 * DRUM * (NUMBERS["TB_TENSION_MAX"] - NUMBERS["TB_TENSION_MIN"])
+    assert strongest == pytest.approx(np.full(CABLES, TIGHT + extra), rel=1e-3)
 
 
 def test_a_request_that_stood_before_does_not_arm(at: At) -> None:
@@ -318,24 +334,24 @@ def one_drive(index: int, **values: int) -> Callable[[Observation], None]:
 
 first_base, last_base = partial(one_drive, CABLES), partial(one_drive, DRIVES - 1)
 WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
-    # where, what the drives say for ever, the cause, its culprit, cycles
+    # where, what the drives say for ever, the cause, its culprit, cycles until it is told
     ("INIT NONE", stuck(task=0), "DRIVE_MISSING", 0, 64 * int(NUMBERS["TB_ANSWER_TIMEOUT"])),
-    ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
-    ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, STATE_TIMEOUT),
-    ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, STATE_TIMEOUT),
-    ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, STATE_TIMEOUT),
-    ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, STATE_TIMEOUT),
-    ("HOME CABLE_MODE", stuck(progress=1), "DRIVE_STUCK", 0, STATE_TIMEOUT),
-    ("HOME CABLE_MODE", stuck(mode=Mode.POSITION), "DRIVE_STUCK", 0, STATE_TIMEOUT),
-    ("HOME CABLE_POWER", stuck(power=Power.OFF), "DRIVE_STUCK", 0, STATE_TIMEOUT),
-    ("HOME BASE_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_WORK_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_POWER", first_base(homing=0), "HOMING", 4, int(NUMBERS["TB_HOMING_TIMEOUT"])),
-    ("HOME BASE_MODE", last_base(progress=1), "DRIVE_STUCK", DRIVES - 1, STATE_TIMEOUT),
+    ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, TIMED_OUT),
+    ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, TIMED_OUT),
+    ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, TIMED_OUT),
+    ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, TIMED_OUT),
+    ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, TIMED_OUT),
+    ("HOME CABLE_MODE", stuck(progress=1), "DRIVE_STUCK", 0, TIMED_OUT),
+    ("HOME CABLE_MODE", stuck(mode=Mode.POSITION), "DRIVE_STUCK", 0, TIMED_OUT),
+    ("HOME CABLE_POWER", stuck(power=Power.OFF), "DRIVE_STUCK", 0, TIMED_OUT),
+    ("HOME BASE_MODE", first_base(progress=1), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_WORK_MODE", first_base(progress=1), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_POWER", first_base(homing=0), "HOMING", 4, POWERED + HOMING_TIMEOUT + 1),
+    ("HOME BASE_MODE", last_base(progress=1), "DRIVE_STUCK", DRIVES - 1, TIMED_OUT),
 ]
 
 
@@ -349,9 +365,32 @@ def test_no_wait_is_without_an_end(
     cycles: int,
 ) -> None:
     machine = stock_at(moment)
-    machine.run(cycles + 20, lambda orders: orders.cause != Cause.NONE, spoil)
+    machine.run(cycles - 1, spoil=spoil)
+    assert machine.orders.cause == Cause.NONE
+    machine.step(spoil)
     assert Cause(machine.orders.cause).name == cause
     assert machine.orders.culprit == culprit
+
+
+@pytest.mark.parametrize(
+    ("phase", "drives", "divider"),
+    [("CABLE_POWER", range(CABLES), 1), ("BASE_POWER", BASES, 2)],
+)
+def test_a_power_state_counts_once_the_order_can_show(
+    stock_at: At, phase: str, drives: range, divider: int
+) -> None:
+    # It acts at the next SYNC of the bus, and shows in the answer to the one after it.
+    machine = stock_at(f"HOME {phase}")
+
+    def enabled(seen: Observation) -> None:
+        for index in drives:
+            seen.drives[index].power = Power.ENABLED
+
+    machine.run(3 * divider - 1, spoil=enabled)
+    assert machine.orders.phase == Phase[phase]
+    machine.step(enabled)
+    assert told(machine) == ("HOME", "NONE")
+    assert machine.orders.phase != Phase[phase]
 
 
 def test_a_drive_that_stays_on_after_a_requested_stop_is_a_fault(

@@ -64,7 +64,7 @@ def library() -> ctypes.CDLL:
         return re.sub(r',\s*\{"base_\d",[^}]*\}', "", text)
 
     folder = supervised.machine_folder("without_rails", FIXED, without_bases)
-    return supervised.compiled(folder, "without_rails")
+    return supervised.compiled(folder)
 
 
 @pytest.fixture
