@@ -6,11 +6,12 @@ import sys
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from lab.mutants.draw import drawn, sources
+from lab.mutants.draw import drawn
 from lab.mutants.kept import Verdicts
 from lab.mutants.mutation import Mutation
 from lab.mutants.report import REPORT, judge, report
 from lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
+from lab.mutants.suites import every_test
 from lab.mutants.trial import Verdict
 
 COUNT, SEED, PROCESSES = 220, 2026, 2
@@ -23,7 +24,7 @@ def main() -> int:
     count = parser.parse_args().count
     console = Console(stderr=True)
     try:
-        unchanged_passes([*sources()])
+        unchanged_passes(every_test())
     except UnchangedFails as error:
         console.print(f"{error}: mend that first.")
         return 1

@@ -33,6 +33,7 @@ OWN = {
         "tests/closed_loop/test_closed_loop.py",
     ),
     "core/torque_gate.c": ("tests/unit/test_torque_gate.py",),
+    "core/guide.c": ("tests/unit/test_guide.py",),
     "core/measurement.c": ("tests/unit/test_measurement.py",),
     "core/recorder.c": ("tests/unit/test_flight.py",),
     "core/words.c": ("tests/unit/test_supervisor_words.py",),
@@ -47,3 +48,9 @@ def suite_of(file: str) -> tuple[str, ...]:
     """The tests that a mutant of a file in runtime/ has to pass to survive."""
     of_folder = SUPERVISOR if file.startswith("core/") else (*MESSAGES, *NETWORK)
     return tuple(dict.fromkeys((*OWN.get(file, ()), *of_folder, *JOURNEY)))
+
+
+def every_test() -> tuple[str, ...]:
+    """All of them, the journey last."""
+    of_parts = [test for tests in OWN.values() for test in tests]
+    return tuple(dict.fromkeys((*of_parts, *MESSAGES, *NETWORK, *SUPERVISOR, *JOURNEY)))

@@ -599,6 +599,24 @@ def test_a_force_sensor_that_is_silent_is_not_read(at: At) -> None:
     assert machine.orders.controller.status == 0
 
 
+def test_drives_are_ordered_what_the_controller_computed(at: At) -> None:
+    machine = at("RUN NONE")
+    machine.seen.force[:] = [0.5, -0.5]
+    for _ in range(50):
+        machine.step()
+        assert torques(machine).tolist() == [*machine.orders.controller.motor_torque]
+
+
+def test_a_disturbance_is_compensated_only_with_a_fresh_force_sensor(at: At) -> None:
+    for fresh in (0, 1):
+        machine = at("RUN NONE")
+        machine.seen.hand_force_fresh = fresh
+        machine.seen.hand_force[:] = [1.0, 0.5]
+        machine.run(300)
+        added = torques(machine) - DRUM * np.array(machine.orders.controller.tension)
+        assert (np.abs(added).max() > 1e-3) == bool(fresh)
+
+
 def test_the_force_of_the_application_is_served_in_run_only(at: At) -> None:
     for moment, served in (("TENSION CLOSE", 0.0), ("RUN NONE", 2.0)):
         machine = at(moment)
