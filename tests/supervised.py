@@ -269,7 +269,7 @@ class Machine:
         sizes = [self.library.shim_size(what) for what in range(3)]
         self.seen, self.orders = self.observation(), self.told()
         assert sizes[:2] == [ctypes.sizeof(self.seen), ctypes.sizeof(self.orders)]
-        self.memory = ctypes.create_string_buffer(sizes[2])
+        self.memory = ctypes.create_string_buffer(b"\xa5" * sizes[2], sizes[2])
         self.library.tb_supervisor_start(self.memory)
 
     def save(self) -> tuple[Any, ...]:

@@ -12,7 +12,7 @@ from lab.mutants.mutation import Mutation
 from lab.mutants.report import REPORT, judge, report
 from lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
 from lab.mutants.suites import every_test
-from lab.mutants.trial import Verdict
+from lab.mutants.trial import Verdict, prepare
 
 COUNT, SEED, PROCESSES = 220, 2026, 2
 
@@ -23,6 +23,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=COUNT, help=f"of mutants [{COUNT}]")
     count = parser.parse_args().count
     console = Console(stderr=True)
+    prepare()
     try:
         unchanged_passes(every_test())
     except UnchangedFails as error:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 from lab.mutants.tokens import Token, arguments, closing, tokens_of
@@ -39,8 +40,8 @@ OPERATORS = {
 FAMILY = re.compile(r"TB_(?:STATE|PHASE|CAUSE|POWER|GOAL|MODE|HOMING|TASK|FAILURE|PERMIT)_")
 #: Words that begin no statement which could be left out.
 KEYWORDS = frozenset(
-    "if else for while do switch case default return break continue goto typedef enum static"
-    " const struct extern".split()
+    ("if", "else", "for", "while", "do", "switch", "case", "default", "return", "break")
+    + ("continue", "goto", "typedef", "enum", "static", "const", "struct", "extern")
 )
 #: What follows the first word of a statement that does something.
 ACTS = frozenset(["=", "+=", "-=", "*=", "|=", "&=", "++", "--", "(", "[", "->", "."])
@@ -148,7 +149,7 @@ def swapped(source: str, tokens: Tokens) -> Changes:
         matters = name.kind == "word" and name.text not in COMMUTATIVE
         if opening.text == "(" and matters and not declares:
             given = arguments(tokens, number)
-            for (start, middle), (again, end) in zip(given, given[1:], strict=False):
+            for (start, middle), (again, end) in pairwise(given):
                 first, second = source[start:middle].strip(), source[again:end].strip()
                 yield start, end, f"{second}, {first}"
 

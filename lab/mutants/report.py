@@ -19,9 +19,9 @@ Results = Sequence[tuple[Mutation, Verdict]]
 
 HEAD = """# Mutants of the runtime
 
-`make mutants` makes one small change in `runtime/core` or `runtime/canopen`, compiles it, and runs the
-tests that concern the file until one fails: {tried} mutants, drawn at random from all of which gcc
-makes other object code, of which {killed} are noticed and {survive} survive. `lab/mutants` says which changes
+`make mutants` makes one small change in `runtime/core` or `runtime/canopen`, compiles it, and runs
+the tests that concern the file until one fails: {tried} mutants, drawn at random from all of which
+gcc makes other object code; {killed} are noticed, {survive} survive. `lab/mutants` says which changes
 are made and which tests are run.
 
 {files}

@@ -7,7 +7,7 @@ from lab.mutants.draw import sources
 from lab.mutants.kept import Verdicts
 from lab.mutants.mutation import Mutation
 from lab.mutants.suites import suite_of
-from lab.mutants.trial import Trial, Verdict, prepare
+from lab.mutants.trial import Trial, Verdict
 
 Told = Callable[[Mutation, Verdict], None]
 
@@ -21,7 +21,6 @@ def unchanged_passes(tests: Sequence[str]) -> None:
 
     Raises UnchangedFails: what these tests say of mutants would mean nothing.
     """
-    prepare()
     file, text = next(iter(sources().items()))
     trial = Trial(file, text, tests)
     verdict = trial.verdict(os.waitpid(trial.process, 0)[1])
@@ -37,7 +36,6 @@ def verdicts(
     suite: Callable[[str], Sequence[str]] = suite_of,
 ) -> None:
     """Try the mutants of which nothing is kept; tells each verdict when it is there."""
-    prepare()
     waiting, running = list(mutants), dict[int, tuple[Mutation, Trial]]()
     while waiting or running:
         while waiting and len(running) < processes:

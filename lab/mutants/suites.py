@@ -27,6 +27,7 @@ OWN = {
         "tests/equivalence/test_watch.py",
     ),
     "core/watch.c": ("tests/equivalence/test_watch.py",),
+    "core/carriage.c": ("tests/unit/test_carriage.py",),
     "core/controller.c": (
         "tests/unit/test_controller_step.py",
         "tests/unit/test_controller_reference.py",

@@ -23,10 +23,10 @@ WALL = 1800
 """Seconds that all of them may take, however busy the computer is."""
 #: What the tests import; a mutant's tests run in a fork of the process that has.
 IMPORTED = (
-    "numpy scipy.optimize casadi hypothesis elftools.elf.elffile pyarrow.parquet typer.testing"
-    " codegen.verify codegen.generate codegen.accuracy_cache lab.lockstep lab.machine_sim lab.demo"
-    " lab.flight.replay lab.flight.table model.reference.kinematics"
-).split()
+    *("numpy", "scipy.optimize", "casadi", "hypothesis", "elftools.elf.elffile"),
+    *("pyarrow.parquet", "typer.testing", "codegen.verify", "codegen.generate"),
+    *("lab.lockstep", "lab.machine_sim", "lab.demo", "lab.flight.replay", "lab.flight.table"),
+)
 
 
 class Verdict(NamedTuple):

@@ -23,11 +23,14 @@ from lab.mutants.kept import Verdicts
 from lab.mutants.mutation import Mutation
 from lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
 from lab.mutants.suites import JOURNEY, suite_of
+from lab.mutants.trial import prepare
 given = json.load(sys.stdin)
 try:
     unchanged_passes(given["unchanged"])
 except UnchangedFails as error:
     sys.exit(str(error))
+if given["tests"] is None:
+    prepare()
 def suite(file):
     quick = [test for test in suite_of(file) if test not in JOURNEY]
     return quick if given["tests"] is None else given["tests"]

@@ -172,6 +172,13 @@ def test_a_cause_leads_to_its_reaction_in_time_in_every_state(
     assert states == set(row.states)
 
 
+def test_a_jump_needs_no_detail(moments: tuple[Machine, Moments]) -> None:
+    machine, saved = moments
+    machine.restore(saved["RUN NONE"])
+    machine.step(jump(0.1))
+    assert (machine.orders.cause, machine.orders.detail) == (supervised.Cause.ENCODER_JUMP, 0)
+
+
 def test_nothing_changes_a_fault(moments: tuple[Machine, Moments]) -> None:
     machine, saved = moments
     for _, spoil in cases():

@@ -88,7 +88,10 @@ def library(drive: str) -> ctypes.CDLL:
 TRIAL = {"torque": ["TRY_MODE", "TRY_POWER", "TRY_BASES", "TRY_RELEASE"], "position": []}
 """Phases of the trial of the base, which only a drive that follows torques is put through."""
 BEFORE = ["CABLE_POWER", "TIGHTEN", "TRY_CABLES"]
-BASE_PHASES = [f"BASE_{name}" for name in "MODE POWER HOMING RELEASE WORK_MODE WORK_POWER".split()]
+BASE_PHASES = [
+    *("BASE_MODE", "BASE_POWER", "BASE_HOMING", "BASE_RELEASE"),
+    *("BASE_WORK_MODE", "BASE_WORK_POWER"),
+]
 AFTER = ["GATHER", "SWEEP", "SOLVE", "APPROACH", "CLOSE", "NONE"]
 
 

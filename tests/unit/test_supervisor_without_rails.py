@@ -94,6 +94,15 @@ def test_moving_the_handle_around_calibrates_the_machine(machine: FixedMachine) 
     machine.until(State.CONFIGURE)
 
 
+def test_no_base_is_waited_for() -> None:
+    machine, phases = FixedMachine(library()), list[str]()
+    machine.arm()
+    while machine.orders.phase != Phase.SWEEP:
+        phases.append(Phase(machine.step().phase).name)
+    passed = ["CABLE_MODE", "CABLE_POWER", "TIGHTEN", "TRY_CABLES", "GATHER", "SWEEP"]
+    assert list(dict.fromkeys(["CABLE_MODE", *phases])) == passed
+
+
 def test_a_handle_that_is_left_alone_does_not(machine: FixedMachine) -> None:
     machine.run(int(NUMBERS["TB_HOMING_TIMEOUT"]) + 5, lambda orders: orders.state != State.HOME)
     told = State(machine.orders.state).name, Cause(machine.orders.cause).name
