@@ -40,8 +40,10 @@ OPERATORS = {
 FAMILY = re.compile(r"TB_(?:STATE|PHASE|CAUSE|POWER|GOAL|MODE|HOMING|TASK|FAILURE|PERMIT)_")
 #: Words that begin no statement which could be left out.
 KEYWORDS = frozenset(
-    ("if", "else", "for", "while", "do", "switch", "case", "default", "return", "break")
-    + ("continue", "goto", "typedef", "enum", "static", "const", "struct", "extern")
+    [
+        *("if", "else", "for", "while", "do", "switch", "case", "default", "return", "break"),
+        *("continue", "goto", "typedef", "enum", "static", "const", "struct", "extern"),
+    ]
 )
 #: What follows the first word of a statement that does something.
 ACTS = frozenset(["=", "+=", "-=", "*=", "|=", "&=", "++", "--", "(", "[", "->", "."])

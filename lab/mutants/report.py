@@ -21,8 +21,8 @@ HEAD = """# Mutants of the runtime
 
 `make mutants` makes one small change in `runtime/core` or `runtime/canopen`, compiles it, and runs
 the tests that concern the file until one fails: {tried} mutants, drawn at random from all of which
-gcc makes other object code; {killed} are noticed, {survive} survive. `lab/mutants` says which changes
-are made and which tests are run.
+gcc makes other object code; {killed} are noticed, {survive} survive. `lab/mutants` says which
+changes are made and which tests are run.
 
 {files}
 """
