@@ -19,7 +19,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test soak campaign figures bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test soak campaign mutants figures bench lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -101,6 +101,9 @@ campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/
 	EVERY_MOMENT=1 $(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py \
 	  tests/faults/test_pairs.py tests/faults/test_power_on.py -k "not committed"
 	cp build/fault_campaign.md docs/fault-campaign.md
+
+mutants: $(SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
+	$(VENV)/bin/python -m lab.mutants $(COUNT:%=--count %)
 
 figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
 	$(VENV)/bin/python -m lab.figures

@@ -69,6 +69,12 @@ class Controller:
         measured = pointer(inputs["lengths"]), pointer(inputs["rails"])
         return int(self._library.tb_controller_start(pointer(self.memory), *measured))
 
+    def take_over(self, torque: ArrayLike, base: ArrayLike) -> None:
+        """tb_controller_take_over with torques [N m] (n) and the memory of what moved the bases."""
+        reals = self.memory["torque"].dtype
+        given = [np.ascontiguousarray(each, reals) for each in (torque, base)]
+        self._library.tb_controller_take_over(pointer(self.memory), *map(pointer, given))
+
     def step(
         self,
         lengths: ArrayLike,

@@ -1,7 +1,7 @@
 """The network of the runtime with a python canopen drive for each of its drives, in lockstep."""
 
 from collections.abc import Callable
-from ctypes import addressof, byref, c_void_p
+from ctypes import addressof, byref, c_void_p, memset, sizeof
 from typing import Any
 
 from canopen_c import Canopen, Frame, canopen_c, read
@@ -24,6 +24,7 @@ class Bench:
             self.c.tb_loopback_open(byref(loop))
         self.drives = [Drive(self.wires[row.bus], row) for row in self.rows]
         self.network, self.seen = self.c.new("tb_network"), self.c.new("tb_observation")
+        memset(addressof(self.network), 0xA5, sizeof(self.network))
         self.orders = self.c.new("tb_orders")
         self.orders.beat = 1
         ports = (c_void_p * len(self.loops))(*map(addressof, self.loops))

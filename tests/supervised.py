@@ -4,9 +4,7 @@ An order of cycle k is taken over at the bus's next SYNC and shows in the answer
 """
 
 import ctypes
-import os
 import re
-import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -23,8 +21,6 @@ ROOT = Path(__file__).parents[1]
 CORE = ROOT / "runtime" / "core"
 STOCK = ROOT / "generated" / "yoon2023"
 BUILD = ROOT / "build" / "supervised"
-#: A folder: the C is then built to measure its coverage, in there.
-COVERAGE = os.environ.get("TURNBUCKLE_COVERAGE")
 
 CABLES, RAILS, DRIVES, BUSES, DOF = 4, 4, 8, 3, 2
 PERIOD = 1e-3
@@ -54,6 +50,8 @@ Task: Any = names("drive.h", "TB_TASK_")
 Failure: Any = names("drive.h", "TB_FAILURE_")
 IDLE, BUSY, DONE, FAILED = range(4)
 ARM, STOP, RESET = 1, 2, 4
+LONGEST = 120_000
+"""Cycles from power-on that a machine is run in any test: to wait longer is to fail."""
 
 
 class Report(ctypes.Structure):
@@ -173,7 +171,7 @@ class Orders(ctypes.Structure):
     _fields_ = orders_fields(DRIVES, Outputs)
 
 
-#: Tells sizes and places that the tests need, and writes coverage when it is measured.
+#: Tells sizes and places that the tests need.
 SHIM = r"""
 #include "supervisor_memory.h"
 #include "words.h"
@@ -202,34 +200,17 @@ def sources(machine: Path) -> list[Path]:
     return [*sorted(machine.glob("*.c")), *sorted(CORE.glob("*.c"))]
 
 
-def compiled(machine: Path, name: str) -> ctypes.CDLL:
-    """The supervisor of a machine; `name` keeps measurements of coverage apart."""
+def compiled(machine: Path) -> ctypes.CDLL:
+    """The supervisor of a machine."""
     shim = BUILD / "shim.c"
     keep_text(shim, SHIM)
-    files, include = [*sources(machine), shim], [machine, CORE]
-    if COVERAGE is None:
-        return ctypes.CDLL(str(compile_library(files, include)))
-    return ctypes.CDLL(str(compile_for_coverage(files, include, Path(COVERAGE) / name)))
-
-
-def compile_for_coverage(files: list[Path], include: list[Path], folder: Path) -> Path:
-    """As compile_library, but its use leaves a trace in `folder`, which adds up."""
-    library = folder / "library.so"
-    if library.exists():
-        return library
-    folder.mkdir(parents=True, exist_ok=True)
-    flags = ["-std=c11", "-O0", "--coverage", "-fPIC", *(f"-I{path}" for path in include)]
-    subprocess.run(["gcc", *flags, "-c", *map(str, files)], cwd=folder, check=True)
-    objects = [f"{file.stem}.o" for file in files]
-    command = ["gcc", "-shared", "--coverage", *objects, "-o", library.name]
-    subprocess.run(command, cwd=folder, check=True)
-    return library
+    return ctypes.CDLL(str(compile_library([*sources(machine), shim], [machine, CORE])))
 
 
 @cache
 def stock_library() -> ctypes.CDLL:
     """The stock machine's supervisor."""
-    return compiled(STOCK, "stock")
+    return compiled(STOCK)
 
 
 @cache
@@ -239,7 +220,7 @@ def position_library() -> ctypes.CDLL:
     def follow_position(text: str) -> str:
         return re.sub(r'(\{"base_\d", \d, \d,) 0,', r"\1 1,", text)
 
-    return compiled(machine_folder("position", STOCK, follow_position), "position")
+    return compiled(machine_folder("position", STOCK, follow_position))
 
 
 @dataclass
@@ -288,7 +269,7 @@ class Machine:
         sizes = [self.library.shim_size(what) for what in range(3)]
         self.seen, self.orders = self.observation(), self.told()
         assert sizes[:2] == [ctypes.sizeof(self.seen), ctypes.sizeof(self.orders)]
-        self.memory = ctypes.create_string_buffer(sizes[2])
+        self.memory = ctypes.create_string_buffer(b"\xa5" * sizes[2], sizes[2])
         self.library.tb_supervisor_start(self.memory)
 
     def save(self) -> tuple[Any, ...]:
@@ -308,6 +289,7 @@ class Machine:
 
     def step(self, spoil: Callable[[Observation], None] | None = None) -> Orders:
         """One cycle: SYNC, answers, supervisor. `spoil` changes what it sees."""
+        assert self.cycle < LONGEST, f"still {State(self.orders.state).name} after so many cycles"
         self.move()
         for index in range(len(self.drives)):
             self.answer(index)

@@ -55,7 +55,8 @@ class Part:
         folder = LIBRARIES.parent / "core" / digest
         for name, text in texts.items():
             keep_text(folder / name, text)
-        files = [folder / name for name in sources] + [generated.folder / "tb_kinematics.c"]
+        files = [as_it_is(folder / name) for name in sources]
+        files.append(generated.folder / "tb_kinematics.c")
         library = compile_library(files, [folder, generated.folder, CORE], generated.precision)
         self.library = ctypes.CDLL(str(library))
         self.memory: NDArray[np.void] = np.zeros(1, memory)
@@ -78,6 +79,13 @@ def kinematics_of(name: str, precision: str) -> Kinematics:
 def source(name: str) -> str:
     """A C file of runtime/core."""
     return (CORE / name).read_text()
+
+
+def as_it_is(copy: Path) -> Path:
+    """The file of runtime/core that a copy is of, if nothing is changed in the copy."""
+    original = CORE / copy.name
+    same = original.exists() and original.read_text() == copy.read_text()
+    return original if same else copy
 
 
 def slots(generated: Kinematics) -> int:

@@ -16,6 +16,8 @@ COUNT = 7.67e-6
 """One count of a cable's encoder [m]."""
 NOISE = COUNT / np.sqrt(12)
 """Standard deviation of a length in whole counts [m]."""
+LONGEST_STEP, MOST_STEPS = 0.1, 50
+"""Of the fit [m, rad]."""
 MACHINES = [
     "yoon2023",
     "yoon_synchronised",
@@ -248,6 +250,22 @@ def test_measurements_that_no_machine_gives_end_in_a_refusal(precision: str) -> 
             wound = random.uniform(-size, size, (SAMPLES, 4))
             rails = random.uniform(-slides, slides, (SAMPLES, 4))
             assert calibration.solve(wound, rails) in (UNOBSERVABLE, OPEN)
+
+
+def test_a_fit_moves_by_a_bounded_step_and_is_given_up_after_fifty() -> None:
+    generated = kinematics_of("yoon2023", "double")
+    calibration, random = Calibration(generated), np.random.default_rng(9)
+    calibration.call("tb_calibration_start")
+    for _ in range(SAMPLES):
+        calibration.call("tb_calibration_add", random.uniform(-1, 1, 4), random.uniform(-1, 1, 4))
+    before, longest = None, 0.0
+    while calibration.call("tb_calibration_solve") == BUSY:
+        if before is not None:
+            moved = (calibration.memory[name] - before[name] for name in ("zeros", "poses"))
+            longest = max(longest, *(float(np.abs(each).max()) for each in moved))
+        before = calibration.memory.copy()
+    assert longest == pytest.approx(LONGEST_STEP, rel=1e-9)
+    assert calibration.memory["steps"][0] == MOST_STEPS
 
 
 def test_a_measurement_that_is_not_finite_is_left_out() -> None:

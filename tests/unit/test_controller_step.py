@@ -140,8 +140,11 @@ def test_a_failed_cycle_keeps_the_cables_just_taut_and_the_carriages_free(
     np.testing.assert_allclose(outputs.motor_torque[-1], taut, rtol=4 * eps(outputs))
     assert (outputs.rail_force[failed] == 0).all() and (outputs.rail_torque[failed] == 0).all()
     assert (outputs.velocity[failed] == 0).all() and (outputs.wanted_force[failed] == 0).all()
-    last_good = outputs.pose[CYCLES // 2 - 1]
-    assert (outputs.pose[failed] == last_good).all()
+    for name in ("pose", "rail_target"):
+        kept = getattr(outputs, name)[failed]
+        assert (kept == kept[0]).all(), name
+    assert (outputs.pose[failed] == outputs.pose[CYCLES // 2 - 1]).all()
+    assert (outputs.rail_target[failed] == inputs["rails"][CYCLES // 2 - 1]).all()
 
 
 def test_torques_go_to_the_minimum_tension_at_the_rate_of_the_gate(
@@ -209,6 +212,16 @@ def test_a_controller_started_on_a_bad_reading_waits_safely_for_a_good_one(
     assert is_good(outputs.status).tolist() == [False] * 10 + [True] * (CYCLES - 10)
     # The first good cycle knows no rate yet, so the platform is at rest for it.
     assert np.abs(outputs.velocity[10]).max() <= eps(outputs) * machine.control.rate
+
+
+def test_torques_and_the_memory_of_bases_are_taken_over(controller: Controller) -> None:
+    torque, base = (np.arange(controller.memory[name].size) + 0.5 for name in ("torque", "base"))
+    before = controller.memory.copy()
+    controller.take_over(torque, base)
+    for name in {*(before.dtype.names or ())} - {"torque", "base"}:
+        assert controller.memory[name].tobytes() == before[name].tobytes()
+    assert controller.memory["torque"].ravel().tolist() == torque.tolist()
+    assert controller.memory["base"].ravel().tolist() == base.tolist()
 
 
 def test_a_force_no_hand_can_have_is_a_broken_sensor(

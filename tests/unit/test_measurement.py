@@ -46,3 +46,9 @@ def test_an_age_that_cannot_be_leaves_the_position_finite() -> None:
     measurement = Measurement()
     for cycle in range(5):
         assert abs(measurement.take(SPEED * cycle, 200)) < 1.0
+
+
+def test_the_first_position_may_be_anywhere_within_a_thousand_kilometres() -> None:
+    farthest = 1e6
+    assert Measurement().take(farthest) == farthest
+    assert abs(Measurement().take(1.000001 * farthest)) < farthest

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import supervised
+from canopen_c import Canopen
 from safety_table import constants
 from supervised import (
     ARM,
@@ -35,8 +36,15 @@ from supervised import (
 
 NUMBERS = constants(supervised.STOCK)
 STATE_TIMEOUT = int(NUMBERS["TB_STATE_TIMEOUT"])
+HOMING_TIMEOUT = int(NUMBERS["TB_HOMING_TIMEOUT"])
+TIMED_OUT = STATE_TIMEOUT + 1
+"""Cycles in a phase after which a wait is over."""
+POWERED = 7
+"""Cycles until an ideal base drive is under power."""
 HEARTBEAT_TIMEOUT = int(NUMBERS["TB_HEARTBEAT_TIMEOUT"])
 STOP_CYCLES = int(NUMBERS["TB_STOP_CYCLES"])
+CLOSED_CYCLES = 100
+"""In a row, before RUN."""
 TIGHT = DRUM * NUMBERS["TB_TENSION_MIN"]
 BASES = range(CABLES, DRIVES)
 
@@ -126,6 +134,17 @@ def test_no_base_is_led_faster_than_a_tenth_of_its_limit_before_run(
         moved = (abs(a - b) for a, b in zip(machine.rails, before, strict=True))
         fastest = max(fastest, *moved)
     assert fastest / (2 * supervised.PERIOD) < 0.15 * NUMBERS["TB_RAIL_SPEED_LIMIT"]
+
+
+def test_each_cable_in_turn_pulls_a_fifth_of_its_range_more_in_the_sweep(at: At) -> None:
+    machine = at("HOME SWEEP")
+    strongest = np.zeros(CABLES)
+    while machine.orders.phase == Phase.SWEEP:
+        strongest = np.maximum(strongest, torques(machine))
+        assert sum(torques(machine) > 1.001 * TIGHT) <= 1
+        machine.step()
+    extra = 0.2 * DRUM * (NUMBERS["TB_TENSION_MAX"] - NUMBERS["TB_TENSION_MIN"])
+    assert strongest == pytest.approx(np.full(CABLES, TIGHT + extra), rel=1e-3)
 
 
 def test_a_request_that_stood_before_does_not_arm(at: At) -> None:
@@ -335,27 +354,24 @@ def one_drive(index: int, **values: int) -> Callable[[Observation], None]:
 LONGEST_TASK = (2 * 44 + 2) * 2 * int(NUMBERS["TB_ANSWER_TIMEOUT"]) + 3 * STATE_TIMEOUT
 first_base, last_base = partial(one_drive, CABLES), partial(one_drive, DRIVES - 1)
 WAITS: list[tuple[str, Callable[[Observation], None], str, int, int]] = [
-    # where, what the drives say for ever, the cause, its culprit, cycles
-    ("INIT NONE", last_base(task=0), "DRIVE_MISSING", DRIVES - 1, LONGEST_TASK),
-    ("CONFIGURE CONTRACT", first_base(progress=1), "DRIVE_MISSING", 4, LONGEST_TASK),
-    ("CONFIGURE START", first_base(task=0), "DRIVE_MISSING", 4, LONGEST_TASK),
-    ("CONFIGURE START", last_base(silent=2), "DRIVE_LOCAL", DRIVES - 1, STATE_TIMEOUT),
-    ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, STATE_TIMEOUT),
-    ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, STATE_TIMEOUT),
-    ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, STATE_TIMEOUT),
-    ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, STATE_TIMEOUT),
-    ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, STATE_TIMEOUT),
-    ("HOME CABLE_MODE", stuck(progress=1), "DRIVE_STUCK", 0, STATE_TIMEOUT),
-    ("HOME CABLE_MODE", stuck(mode=Mode.POSITION), "DRIVE_STUCK", 0, STATE_TIMEOUT),
-    ("HOME CABLE_POWER", stuck(power=Power.OFF), "DRIVE_STUCK", 0, STATE_TIMEOUT),
-    ("HOME BASE_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_WORK_MODE", first_base(progress=1), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, STATE_TIMEOUT),
-    ("HOME BASE_POWER", first_base(homing=0), "HOMING", 4, int(NUMBERS["TB_HOMING_TIMEOUT"])),
-    ("HOME BASE_MODE", last_base(progress=1), "DRIVE_STUCK", DRIVES - 1, STATE_TIMEOUT),
+    # where, what the drives say for ever, the cause, its culprit, cycles until it is told
+    ("CONFIGURE START", last_base(silent=2), "DRIVE_LOCAL", DRIVES - 1, TIMED_OUT),
+    ("CONFIGURE START", stuck(fresh=0), "DRIVE_SILENT", 0, TIMED_OUT),
+    ("CONFIGURE START", stuck(silent=1), "DRIVE_SILENT", 0, TIMED_OUT),
+    ("CONFIGURE START", last_base(fresh=0), "DRIVE_SILENT", DRIVES - 1, TIMED_OUT),
+    ("CONFIGURE FAULT_RESET", stuck(power=Power.FAULT), "DRIVE_FAULT", 0, TIMED_OUT),
+    ("CONFIGURE FAULT_RESET", first_base(power=Power.ON), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("CONFIGURE FAULT_RESET", first_base(error_class=2), "DRIVE_FAULT", 4, TIMED_OUT),
+    ("HOME CABLE_MODE", stuck(progress=1), "DRIVE_STUCK", 0, TIMED_OUT),
+    ("HOME CABLE_MODE", stuck(mode=Mode.POSITION), "DRIVE_STUCK", 0, TIMED_OUT),
+    ("HOME CABLE_POWER", stuck(power=Power.OFF), "DRIVE_STUCK", 0, TIMED_OUT),
+    ("HOME BASE_MODE", first_base(progress=1), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_WORK_MODE", first_base(progress=1), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_WORK_POWER", first_base(power=Power.READY), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_RELEASE", first_base(power=Power.ENABLED), "DRIVE_STUCK", 4, TIMED_OUT),
+    ("HOME BASE_POWER", first_base(homing=0), "HOMING", 4, POWERED + HOMING_TIMEOUT + 1),
+    ("HOME BASE_MODE", last_base(progress=1), "DRIVE_STUCK", DRIVES - 1, TIMED_OUT),
 ]
 
 
@@ -369,9 +385,49 @@ def test_no_wait_is_without_an_end(
     cycles: int,
 ) -> None:
     machine = stock_at(moment)
-    machine.run(cycles + 20, lambda orders: orders.cause != Cause.NONE, spoil)
+    machine.run(cycles - 1, spoil=spoil)
+    assert machine.orders.cause == Cause.NONE
+    machine.step(spoil)
     assert Cause(machine.orders.cause).name == cause
     assert machine.orders.culprit == culprit
+
+
+TASKS = [
+    ("INIT NONE", last_base(task=0), DRIVES - 1),
+    ("CONFIGURE CONTRACT", first_base(progress=1), 4),
+    ("CONFIGURE START", first_base(task=0), 4),
+]
+
+
+@pytest.mark.parametrize(("moment", "spoil", "culprit"), TASKS)
+def test_a_task_that_never_ends_is_given_up_when_its_last_answer_would_have_been_late(
+    stock_at: At, moment: str, spoil: Callable[[Observation], None], culprit: int
+) -> None:
+    machine = stock_at(moment)
+    machine.run(LONGEST_TASK + 20, lambda orders: orders.cause != Cause.NONE, spoil)
+    assert Cause(machine.orders.cause).name == "DRIVE_MISSING"
+    assert machine.orders.culprit == culprit
+
+
+@pytest.mark.parametrize(
+    ("phase", "drives", "divider"),
+    [("CABLE_POWER", range(CABLES), 1), ("BASE_POWER", BASES, 2)],
+)
+def test_a_power_state_counts_once_the_order_can_show(
+    stock_at: At, phase: str, drives: range, divider: int
+) -> None:
+    # It acts at the next SYNC of the bus, and shows in the answer to the one after it.
+    machine = stock_at(f"HOME {phase}")
+
+    def enabled(seen: Observation) -> None:
+        for index in drives:
+            seen.drives[index].power = Power.ENABLED
+
+    machine.run(3 * divider - 1, spoil=enabled)
+    assert machine.orders.phase == Phase[phase]
+    machine.step(enabled)
+    assert told(machine) == ("HOME", "NONE")
+    assert machine.orders.phase != Phase[phase]
 
 
 def test_a_drive_that_stays_on_after_a_requested_stop_is_a_fault(
@@ -496,6 +552,7 @@ def test_a_bus_that_delivered_malformed_frames_is_blamed_for_a_drive_that_was_no
     assert machine.orders.cause == Cause.NONE
     machine.step(unheard(machine, CABLES))
     assert (Cause(machine.orders.cause).name, machine.orders.culprit) == blamed
+    assert machine.orders.detail == (blamed[0] == "BUS_CORRUPT")
 
 
 def test_a_malformed_frame_of_an_earlier_state_is_not_held_against_the_bus(stock_at: At) -> None:
@@ -582,6 +639,56 @@ def test_a_force_sensor_that_is_silent_is_not_read(at: At) -> None:
     machine.run(100)
     assert machine.orders.state == State.RUN
     assert machine.orders.controller.status == 0
+
+
+def memory_of(machine: Machine) -> Any:
+    """tb_supervisor, as its C declares it."""
+    found = Canopen(supervised.sources(supervised.STOCK)).new("tb_supervisor")
+    ctypes.memmove(ctypes.byref(found), machine.memory.raw, ctypes.sizeof(found))
+    return found
+
+
+def test_the_controller_begins_with_what_drives_and_bases_were_ordered(at: At) -> None:
+    machine = at("HOME SOLVE")
+    for phase in (Phase.APPROACH, Phase.CLOSE):
+        while machine.orders.phase != phase:
+            before = torques(machine).tolist()
+            machine.step()
+        memory = memory_of(machine)
+        assert [*memory.controller.torque] == before
+        assert [*memory.controller.base] == [*memory.guide.base]
+
+
+def test_lengths_must_agree_for_so_many_cycles_in_a_row(at: At) -> None:
+    machine = at("TENSION CLOSE")
+
+    def fails(seen: Observation) -> None:
+        seen.hand_force_fresh, seen.hand_force[0] = 1, np.nan
+
+    machine.run(20)
+    machine.step(fails)
+    machine.seen.hand_force[0] = 0.0
+    for _ in range(CLOSED_CYCLES - 1):
+        assert machine.step().state == State.TENSION
+    assert machine.step().state == State.RUN
+
+
+def test_drives_are_ordered_what_the_controller_computed(at: At) -> None:
+    machine = at("RUN NONE")
+    machine.seen.force[:] = [0.5, -0.5]
+    for _ in range(50):
+        machine.step()
+        assert torques(machine).tolist() == [*machine.orders.controller.motor_torque]
+
+
+def test_a_disturbance_is_compensated_only_with_a_fresh_force_sensor(at: At) -> None:
+    for fresh, least, most in ((0, 0.0, 1e-12), (1, 1e-3, 1e-2)):
+        machine = at("RUN NONE")
+        machine.seen.hand_force_fresh = fresh
+        machine.seen.hand_force[:] = [1.0, 0.5]
+        machine.run(300)
+        added = torques(machine) - DRUM * np.array(machine.orders.controller.tension)
+        assert least <= np.abs(added).max() <= most
 
 
 def test_the_force_of_the_application_is_served_in_run_only(at: At) -> None:

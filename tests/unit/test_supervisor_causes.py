@@ -178,6 +178,13 @@ def test_a_cause_leads_to_its_reaction_in_time_in_every_state(
     assert states == set(row.states)
 
 
+def test_a_jump_needs_no_detail(moments: tuple[Machine, Moments]) -> None:
+    machine, saved = moments
+    machine.restore(saved["RUN NONE"])
+    machine.step(jump(0.1))
+    assert (machine.orders.cause, machine.orders.detail) == (supervised.Cause.ENCODER_JUMP, 0)
+
+
 def test_nothing_changes_a_fault(moments: tuple[Machine, Moments]) -> None:
     machine, saved = moments
     for _, spoil in cases():
@@ -509,8 +516,9 @@ def blind(seen: Observation) -> None:
 def test_too_few_measurements_end_the_calibration(moments: tuple[Machine, Moments]) -> None:
     machine, saved = moments
     machine.restore(saved["HOME SWEEP"])
-    cycles = int(NUMBERS["TB_STATE_TIMEOUT"]) + 5
-    assert ended(machine, blind, cycles) == ("SOFT_STOP", "ANSWERS_INCOMPLETE", CULPRIT)
+    machine.run(int(NUMBERS["TB_STATE_TIMEOUT"]), spoil=blind)
+    assert machine.orders.cause == 0
+    assert ended(machine, blind, 1) == ("SOFT_STOP", "ANSWERS_INCOMPLETE", CULPRIT)
 
 
 def test_answers_of_a_slower_bus_need_not_come_in_one_cycle(
@@ -541,7 +549,7 @@ def test_lengths_that_do_not_close_end_the_calibration(moments: tuple[Machine, M
     def slide(seen: Observation) -> None:
         seen.drives[CULPRIT].position += 2e-5 * next(slip)
 
-    assert ended(machine, slide, 5000)[:2] == ("SOFT_STOP", "CALIBRATION")
+    assert ended(machine, slide, 5000) == ("SOFT_STOP", "CALIBRATION", 0)
     assert machine.orders.detail == 3
 
 

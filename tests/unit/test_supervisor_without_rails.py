@@ -64,7 +64,7 @@ def library() -> ctypes.CDLL:
         return re.sub(r',\s*\{"base_\d",[^}]*\}', "", text)
 
     folder = supervised.machine_folder("without_rails", FIXED, without_bases)
-    return supervised.compiled(folder, "without_rails")
+    return supervised.compiled(folder)
 
 
 @pytest.fixture
@@ -92,6 +92,15 @@ def test_moving_the_handle_around_calibrates_the_machine(machine: FixedMachine) 
     assert np.allclose(machine.orders.controller.pose, machine.handle, atol=1e-5)
     machine.ask(STOP)
     machine.until(State.CONFIGURE)
+
+
+def test_no_base_is_waited_for() -> None:
+    machine, phases = FixedMachine(library()), list[str]()
+    machine.arm()
+    while machine.orders.phase != Phase.SWEEP:
+        phases.append(Phase(machine.step().phase).name)
+    passed = ["CABLE_MODE", "CABLE_POWER", "TIGHTEN", "TRY_CABLES", "GATHER", "SWEEP"]
+    assert list(dict.fromkeys(["CABLE_MODE", *phases])) == passed
 
 
 def test_a_handle_that_is_left_alone_does_not(machine: FixedMachine) -> None:

@@ -14,7 +14,7 @@ from codegen.simplify import simplify
 from model.machine import Machine, load_machine
 from model.symbolic.topics import TOPICS, model_composites
 
-FOLDERS = (Path(__file__).parents[1] / "machines", Path(__file__).parents[2] / "machines")
+FOLDERS = (Path(__file__).parent / "machines", Path(__file__).parents[1] / "machines")
 #: One machine of every kind, with every sort of base, and pulleys on three of them.
 EVERY_KIND = [
     "kinematics_planar_pulleys",

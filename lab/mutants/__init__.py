@@ -1,0 +1,1 @@
+"""Mutants of the runtime: C with one small defect, which the tests have to notice."""
