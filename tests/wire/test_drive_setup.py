@@ -5,16 +5,18 @@ from typing import Any
 
 import pytest
 from canopen import SdoAbortedError
-from canopen_c import Frame, canopen_c, read
+from canopen_c import MACHINE, Frame, canopen_c, read
 from canopen_drive import Drive, Entry, Row, rows
 from canopen_peer import Wire
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from safety_table import constants
 
 C = canopen_c()
 ROWS = rows(C)
 CABLE, BASE = ROWS[0], ROWS[-1]
 TIMEOUT = 3000
+STATE_TIMEOUT = int(constants(MACHINE)["TB_STATE_TIMEOUT"])
 
 
 class Bench:
@@ -284,6 +286,33 @@ def test_a_mode_that_never_shows_is_different() -> None:
     assert bench.run("MODE", "HOMING") == "FAILED"
     assert bench.failure == ("DIFFERENT", 0x6061, 0, 3)
     assert bench.setup.mode == C.TB_MODE_NONE
+
+
+def test_every_mode_has_its_own_time_to_show() -> None:
+    bench, asked = Bench(BASE), 0
+    bench.drive.read = lambda key, held: 3 if key == (0x6061, 0) else held
+    assert bench.run("MODE", "HOMING") == "FAILED"
+
+    def shows_late(key: tuple[int, int], held: int) -> int:
+        nonlocal asked
+        asked += key == (0x6061, 0)
+        return 0 if key == (0x6061, 0) and asked < 30 else held
+
+    bench.drive.read = shows_late
+    assert bench.run("MODE", "TORQUE") == "DONE"
+
+
+def test_a_drive_has_its_time_from_the_command_on_however_late_its_bus_takes_it() -> None:
+    bench = Bench(CABLE)
+    bench.answers = 0
+    bench.order("RESET")
+    for _ in range(300):
+        C.tb_setup_advance(byref(bench.setup), byref(bench.heartbeat), bench.answered)
+    for _ in range(STATE_TIMEOUT):
+        bench.cycle()
+        assert bench.progress == "BUSY"
+    bench.cycle()
+    assert bench.progress == "FAILED"
 
 
 def test_no_mode_is_confirmed_while_it_changes() -> None:
