@@ -23,7 +23,7 @@ FLAGS: tuple[str, ...] = (
 #: gcc would take minima and maxima apart into jumps that no processor predicts, copy in pairs what
 #: was just written one by one, which has to wait, and in a shared library call our own functions as
 #: if they could be replaced; clang does none of that.
-GCC_FLAGS = (
+GCC_FLAGS: tuple[str, ...] = (
     "-fno-thread-jumps",
     "-fno-tree-vectorize",
     "-fno-tree-slp-vectorize",

@@ -40,8 +40,8 @@ def _in_drawn_order(texts: dict[str, str], seed: int) -> list[Mutation]:
     """All changes, in an order that each one's own words tell."""
 
     def place(change: Mutation) -> bytes:
-        line = change.line_in(texts[change.file])
-        words = f"{seed} {change.file} {line} {change.words}"
+        where = change.place_in(texts[change.file])
+        words = f"{seed} {change.file} {where} {change.words}"
         return hashlib.sha256(words.encode()).digest()
 
     every = [change for file, text in texts.items() for change in mutations(file, text)]

@@ -56,8 +56,8 @@ class Verdicts:
         return hashlib.sha256(text.encode()).hexdigest()
 
     def _name(self, mutant: Mutation) -> str:
-        line = mutant.line_in(self.sources[mutant.file])
-        return f"{mutant.file}: {line}: {mutant.words}"
+        where = mutant.place_in(self.sources[mutant.file])
+        return f"{mutant.file}: {where}: {mutant.words}"
 
 
 def _files(folder: Path) -> list[Path]:

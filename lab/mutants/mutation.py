@@ -45,6 +45,8 @@ KEYWORDS = frozenset(
         *("continue", "goto", "typedef", "enum", "static", "const", "struct", "extern"),
     ]
 )
+#: A definition begins at the beginning of a line.
+FUNCTION = re.compile(r"^[A-Za-z][\w *]*?(\w+)\(", re.MULTILINE)
 #: What follows the first word of a statement that does something.
 ACTS = frozenset(["=", "+=", "-=", "*=", "|=", "&=", "++", "--", "(", "[", "->", "."])
 #: Functions for which the order of their arguments is none.
@@ -65,9 +67,11 @@ class Mutation(NamedTuple):
         """The source with the change."""
         return source[: self.start] + self.new + source[self.start + len(self.old) :]
 
-    def line_in(self, source: str) -> str:
-        """The line that is changed, as it is."""
-        return source.splitlines()[self.line - 1].strip()
+    def place_in(self, source: str) -> str:
+        """The function and the line that is changed, whatever lines come before."""
+        functions = FUNCTION.findall(source[: self.start])
+        line = source.splitlines()[self.line - 1].strip()
+        return f"{functions[-1]}: {line}" if functions else line
 
     @property
     def words(self) -> str:

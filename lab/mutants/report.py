@@ -55,8 +55,8 @@ def judge(results: Results) -> list[str]:
 
 def explanation(mutant: Mutation) -> str | None:
     """Why no test can notice a mutant, if that is known."""
-    line = mutant.line_in(sources()[mutant.file])
-    wanted = {"file": mutant.file, "line": line, "change": mutant.words}
+    where = mutant.place_in(sources()[mutant.file])
+    wanted = {"file": mutant.file, "where": where, "change": mutant.words}
     for entry in tomllib.loads(EXPLAINED.read_text())["survivor"]:
         if all(entry[key] == value for key, value in wanted.items()):
             return str(entry["why"])

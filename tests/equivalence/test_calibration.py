@@ -252,6 +252,15 @@ def test_measurements_that_no_machine_gives_end_in_a_refusal(precision: str) -> 
             assert calibration.solve(wound, rails) in (UNOBSERVABLE, OPEN)
 
 
+@pytest.mark.parametrize("seed", [0, 1])
+def test_the_fit_of_turned_poses_is_quadratic_at_its_end(seed: int) -> None:
+    generated = kinematics_of("spidar_g", "double")
+    poses, rails = measurements(generated.machine, seed)
+    calibration = Calibration(generated)
+    assert calibration.solve(whole_counts(generated.machine, poses, rails), rails) == DONE
+    assert calibration.memory["steps"][0] <= 6
+
+
 def test_a_fit_moves_by_a_bounded_step_and_is_given_up_after_fifty() -> None:
     generated = kinematics_of("yoon2023", "double")
     calibration, random = Calibration(generated), np.random.default_rng(9)

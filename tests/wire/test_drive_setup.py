@@ -528,6 +528,33 @@ def test_a_mode_that_never_shows_is_different() -> None:
     assert bench.setup.mode == C.TB_MODE_NONE
 
 
+def test_every_mode_has_its_own_time_to_show() -> None:
+    bench, asked = Bench(BASE), 0
+    bench.drive.read = lambda key, held: 3 if key == (0x6061, 0) else held
+    assert bench.run("MODE", "HOMING") == "FAILED"
+
+    def shows_late(key: tuple[int, int], held: int) -> int:
+        nonlocal asked
+        asked += key == (0x6061, 0)
+        return 0 if key == (0x6061, 0) and asked < 30 else held
+
+    bench.drive.read = shows_late
+    assert bench.run("MODE", "TORQUE") == "DONE"
+
+
+def test_a_drive_has_its_time_from_the_command_on_however_late_its_bus_takes_it() -> None:
+    bench = Bench(CABLE)
+    bench.answers = 0
+    bench.order("RESET")
+    for _ in range(300):
+        C.tb_setup_advance(byref(bench.setup), byref(bench.heartbeat), bench.answered)
+    for _ in range(STATE_TIMEOUT):
+        bench.cycle()
+        assert bench.progress == "BUSY"
+    bench.cycle()
+    assert bench.progress == "FAILED"
+
+
 def test_no_mode_is_confirmed_while_it_changes() -> None:
     bench = Bench(BASE)
     assert bench.run("MODE", "HOMING") == "DONE"
