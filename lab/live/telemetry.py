@@ -357,5 +357,6 @@ def rates(earlier: Record, later: Record, period: float) -> list[Rate]:
             sum(int(after[count]) - int(before[count]) for count in counts) / seconds
             for counts in (("sent", "received"), ("bits",))
         )
-        found.append(Rate(frames, bits / int(after["bit_rate"])))
+        # A program that has just opened its file has not told the bit rate yet.
+        found.append(Rate(frames, bits / max(1, int(after["bit_rate"]))))
     return found

@@ -1,7 +1,8 @@
 /* Fuzz target: any frames sent to a bus, any frames that come back.
  *
  * Every three bytes are a step: whether frames are sent or received, and how many of which. What must
- * hold: no frame counts as an echo more often than it was sent; where nothing was sent, there is none. */
+ * hold: while drives are heard, no frame counts as an echo more often than it was sent; where nothing
+ * was sent, there is none. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -39,6 +40,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         uint32_t const kind = data[at + 1u] % KINDS;
         tb_can_frame const frame = frame_of(kind);
         for (uint32_t i = 0; i <= (data[at + 2u] % 80u); i++) {
+            tb_echo_hear(&echo);
             if ((data[at] & 1u) != 0) {
                 tb_echo_keep(&echo, &frame);
                 sent[name_of(kind)]++;

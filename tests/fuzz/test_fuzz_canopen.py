@@ -95,7 +95,7 @@ DEFECTS = {
     "echo: a frame that comes back twice": (
         "echo",
         "echo",
-        "            kept->returned = 1;\n",
+        "        sent->returned = 1;\n",
         "",
     ),
     "emcy: a warning that covers a fault": (

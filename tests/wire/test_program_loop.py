@@ -69,10 +69,17 @@ def test_a_signal_is_a_stop_that_was_asked_for(program: Path, lines: Lines, name
         assert run.telemetry.ended
 
 
+def await_sleep(pid: int) -> None:
+    """Wait until a program waits for something."""
+    while Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "S":
+        time.sleep(0.001)
+
+
 def test_a_second_signal_ends_the_program_at_once(program: Path, lines: Lines) -> None:
     with running(program, lines.options) as run:
         run.await_cycles(1)
         with lines.standstill():
+            await_sleep(run.process.pid)  # for the clock: both signals come in one cycle
             run.process.send_signal(signal.SIGTERM)
             run.process.send_signal(signal.SIGINT)
         assert run.process.wait() == 1

@@ -36,6 +36,7 @@ def writer(stock_folder: Path) -> Path:
 def path() -> Iterator[Path]:
     """A place for a shared file, in memory as in operation."""
     path = Path(f"/dev/shm/turnbuckle-test-{os.getpid()}")
+    path.unlink(missing_ok=True)  # of a test before, whose program has ended
     yield path
     path.unlink(missing_ok=True)
 

@@ -7,10 +7,13 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/mman.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "say.h"
 #include "tb_machine.h"
+
+#define MOST_NAPS 100u /* ms */
 
 static const tb_telemetry_header blank_header = {
     .version = TB_TELEMETRY_VERSION,
@@ -59,13 +62,25 @@ static void write_header(tb_telemetry_file *file, bool simulated)
 }
 
 /* Whether a program that still runs writes to the file; a message says so. */
+/* Whoever waits for a program looks whether there is one by a lock of a moment. */
+static bool lock_patiently(int descriptor)
+{
+    struct timespec const nap = {.tv_nsec = 1000000};
+    bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    for (uint32_t naps = 0; !locked && (naps < MOST_NAPS); naps++) {
+        (void)nanosleep(&nap, NULL);
+        locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    }
+    return locked;
+}
+
 static bool is_taken(const char *path)
 {
     int const old = open(path, O_RDWR | O_NOFOLLOW | O_CLOEXEC);
     if (old < 0) {
         return false; /* the next open() finds out whether something is wrong */
     }
-    bool const taken = flock(old, LOCK_EX | LOCK_NB) != 0;
+    bool const taken = !lock_patiently(old);
     if (taken) {
         tb_say("%s: another program controls this machine; stop it first, or give --telemetry "
                "another file",
@@ -95,7 +110,7 @@ static int create(const char *path)
     if (descriptor < 0) {
         return refuse(path, "cannot be created", -1);
     }
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (!lock_patiently(descriptor)) {
         return refuse(path, "cannot be locked", descriptor);
     }
     int const failure = posix_fallocate(descriptor, 0, (off_t)sizeof(tb_telemetry_file));
