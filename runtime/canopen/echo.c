@@ -14,7 +14,7 @@ static void weigh(tb_echo *echo, const tb_echo_frame *kept)
 {
     bool const returned = kept->returned != 0;
     bool const is_lost = !returned && (kept->passed != 0);
-    if (is_lost && (echo->losses < MOST_LOSSES)) {
+    if (is_lost) { /* beyond MOST_LOSSES nothing is kept any more */
         echo->losses = (uint8_t)(echo->losses + WEIGHT_OF_LOSS);
     } else if (returned && (echo->losses > 0)) {
         echo->losses--;

@@ -589,10 +589,12 @@ def test_an_adapter_that_loses_an_echo_now_and_then_is_no_other_master(bench: Be
 @pytest.mark.parametrize("heard", [False, True])
 def test_what_was_sent_while_no_drive_could_acknowledge_it_is_no_lost_echo(heard: bool) -> None:
     echo, sync = C.new("tb_echo"), C.frame(Frame(0x080, b""))
+    beat = C.frame(Frame(0x77F, b"\x05"))
     for cycle in range(300):
         if heard or cycle in (0, 100, 299):
             C.tb_echo_hear(byref(echo))
         C.tb_echo_keep(byref(echo), byref(sync))
+        C.tb_echo_keep(byref(echo), byref(beat))
     assert bool(C.tb_echo_take(byref(echo), byref(sync))) is not heard
 
 
