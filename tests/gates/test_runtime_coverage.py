@@ -34,11 +34,11 @@ class Share(NamedTuple):
 
 #: Files in which an outcome of a condition is not reached, mostly a count at the end of its range.
 LEAST = {
-    "canopen/drive_link.c": Share(100.0, 98.0),
-    "canopen/echo.c": Share(100.0, 97.0),
-    "canopen/network.c": Share(100.0, 98.0),
+    "canopen/drive_link.c": Share(100.0, 96.0),
+    "canopen/echo.c": Share(100.0, 95.0),
+    "canopen/network.c": Share(100.0, 96.0),
     "canopen/nmt.c": Share(100.0, 94.0),
-    "canopen/sdo.c": Share(100.0, 98.0),
+    "canopen/sdo.c": Share(100.0, 96.0),
     "core/calibration.c": Share(100.0, 98.0),
     "core/controller.c": Share(100.0, 97.0),
     "core/drive_orders.c": Share(100.0, 97.0),
