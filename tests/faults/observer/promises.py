@@ -21,7 +21,7 @@ class Promise(Enum):
         "in `TB_STOP_CYCLES` cycles all cables go together to the torque of `tension.min`, then"
         " together to none"
     )
-    SOFT_BASES = "the bases' forces go to none in the first half"
+    SOFT_BASES = "the bases' forces go to none at once, by `TB_RAIL_TORQUE_STEP` a cycle"
     HARD_RAMP = "`ceil(TB_TORQUE_LIMIT / TB_TORQUE_STEP)` cycles"
     HARD_WITHOUT_POWER = "a cable whose drive has no power at once"
     HARD_BASES = "base drives are switched off at once, cable drives when no cable pulls"

@@ -129,12 +129,14 @@ class Stop:
         return min(self.start[drive.name], drive.bounds.weakest)
 
     def soft_bases(self, cycle: int) -> None:
-        """Forces of the bases are none after the first half."""
+        """Forces of the bases fall to none, at the gate's rate, either way they push."""
         for drive in self._hearing(self._bases, cycle):
-            is_over = cycle >= self.begin + self.times.half_stop + drive.wire.divider
+            steps = (cycle - self.begin) // drive.wire.divider
+            most = max(0, abs(self.start[drive.name]) - steps * (drive.bounds.step - 1)) + 1
             force = drive.pull(cycle)
-            if is_over and force and drive.follows_torque:
-                self._found(cycle, drive, Promise.SOFT_BASES, f"is told a force of {force}")
+            if abs(force) > most and drive.follows_torque:
+                what = f"is told a force of {force}, at most {most}"
+                self._found(cycle, drive, Promise.SOFT_BASES, what)
 
     # -- the end ------------------------------------------------------------------------------
 
