@@ -44,14 +44,13 @@ static void count_status(tb_drive_link *link, bool in_time)
 static void take_origin(tb_drive_link *link)
 {
     if (link->setup.mode == TB_MODE_HOMING) {
-        link->counts = TB_COUNTING_FROM_HOME;
         link->origin = 0;
-    } else if (link->counts == TB_COUNTING_UNKNOWN) {
-        link->counts = TB_COUNTING_FROM_FIRST;
+    } else if (link->has_origin == 0) {
         link->origin = link->status.position;
     } else {
         /* it stays where it is */
     }
+    link->has_origin = 1;
 }
 
 /* Before it is started a drive has nothing to say by PDO: what comes is of an earlier life. */
@@ -117,7 +116,7 @@ static void count_missed(tb_drive_link *link)
 static void forget_status(tb_drive_link *link)
 {
     link->power = TB_POWER_UNKNOWN;
-    link->counts = TB_COUNTING_UNKNOWN;
+    link->has_origin = 0;
     link->origin = 0;
     link->controlword = 0;
     link->missed = 0;

@@ -16,13 +16,6 @@
 #include "pdo.h"
 #include "setup.h"
 
-/** From where a drive's position is counted. */
-typedef enum {
-    TB_COUNTING_UNKNOWN = 0, /* it has not told a position in service yet */
-    TB_COUNTING_FROM_FIRST,  /* from where it was first seen */
-    TB_COUNTING_FROM_HOME    /* from the zero of its homing */
-} tb_counting;
-
 /** One drive on its bus. */
 typedef struct {
     const tb_drive_table *drive;
@@ -31,10 +24,10 @@ typedef struct {
     tb_emcy emergency;
     tb_pdo_status status;   /* of its last status message */
     uint32_t duplicates;    /* status messages beyond one a SYNC; the last one counts */
-    int32_t origin;         /* increments at which its position is zero */
+    int32_t origin;         /* increments at which its position is zero: first seen, or home */
     uint16_t controlword;   /* sent last */
     uint8_t power;          /* tb_power of the last status message */
-    uint8_t counts;         /* tb_counting: where its origin is from */
+    uint8_t has_origin;     /* 1: it told a position in service */
     uint8_t answered;       /* 1: a status message came since the last SYNC, late or not */
     uint8_t fresh;          /* 1: one came in time since the last report */
     uint8_t missed;         /* SYNCs in a row without an answer */

@@ -36,6 +36,13 @@ def test_the_culprit_is_named_as_in_the_document() -> None:
         assert text("culprit", cause) == named.get(cause.name, "")
 
 
+def test_a_cause_is_hard_where_the_document_says_so() -> None:
+    is_hard = supervised.stock_library().tb_is_hard
+    is_hard.restype = ctypes.c_bool
+    found = {cause.name for cause in supervised.Cause if is_hard(cause)}
+    assert found == {row.cause for row in rows() if row.hard}
+
+
 def test_there_is_advice_for_every_cause_but_a_stop_that_was_asked_for() -> None:
     silent = {cause.name for cause in supervised.Cause if not text("advice", cause)}
     assert silent == {"NONE", "REQUESTED"}

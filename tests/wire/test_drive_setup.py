@@ -1,7 +1,8 @@
 """Set-up of a drive: the contract in its order, every difference found and named."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from ctypes import byref
+from types import MappingProxyType
 from typing import Any
 
 import pytest
@@ -243,8 +244,26 @@ def test_bytes_beyond_an_object_that_are_neither_zero_nor_its_sign_are_a_differe
     assert found != entry.value
 
 
-def in_segments(bench: Bench, told: bool, segment_told: bool) -> None:
-    """Let the drive answer every read in segments."""
+@pytest.mark.parametrize(
+    ("size", "extra", "kind"),
+    [(2, 1, "DIFFERENT"), (2, 2, "DIFFERENT"), (2, 3, "SIZE"), (4, 1, "SIZE"), (4, 3, "SIZE")],
+)
+def test_a_longer_object_is_told_by_its_value_where_that_fits_else_by_its_size(
+    size: int, extra: int, kind: str
+) -> None:
+    bench, rest = Bench(CABLE), b"\x11" * extra
+    in_segments(bench, True, True, {size: rest})
+    entry = next(entry for entry in CABLE.contract if entry.size == size)
+    assert bench.run("CONFIGURE") == "FAILED"
+    held = entry.value.to_bytes(entry.size, "little") + rest
+    found = int.from_bytes(held, "little") if kind == "DIFFERENT" else len(held)
+    assert bench.failure == (kind, entry.index, entry.subindex, found)
+
+
+def in_segments(
+    bench: Bench, told: bool, segment_told: bool, beyond: Mapping[int, bytes] = MappingProxyType({})
+) -> None:
+    """Let the drive answer every read in segments; beyond: what follows objects of a size."""
     take, give, kept = bench.wire.take, bench.wire.give, [b"", b""]
 
     def segmented() -> list[Frame]:
@@ -252,8 +271,8 @@ def in_segments(bench: Bench, told: bool, segment_told: bool) -> None:
         for number, frame in enumerate(frames):
             if frame.id == 0x580 + bench.row.node and frame.data[0] & 0xE2 == 0x42:
                 size = 4 - (frame.data[0] >> 2 & 3)
-                kept[0] = frame.data[4 : 4 + size]
-                head = bytes([0x41, *frame.data[1:4], size, 0, 0, 0])
+                kept[0] = frame.data[4 : 4 + size] + beyond.get(size, b"")
+                head = bytes([0x41, *frame.data[1:4], len(kept[0]), 0, 0, 0])
                 frames[number] = Frame(frame.id, head if told else b"\x40" + head[1:4] + bytes(4))
         frames += [Frame(0x580 + bench.row.node, kept[1])] if kept[1] else []
         kept[1] = b""
@@ -526,6 +545,16 @@ def test_a_mode_that_never_shows_is_different() -> None:
     assert bench.run("MODE", "HOMING") == "FAILED"
     assert bench.failure == ("DIFFERENT", 0x6061, 0, 3)
     assert bench.setup.mode == C.TB_MODE_NONE
+
+
+def test_a_mode_may_show_until_its_time_is_over_to_the_cycle() -> None:
+    bench, cycles = Bench(BASE), 0
+    bench.drive.read = lambda key, held: 3 if key == (0x6061, 0) else held
+    bench.order("MODE", "HOMING")
+    while bench.progress == "BUSY":
+        bench.cycle()
+        cycles += 1
+    assert cycles == STATE_TIMEOUT + 1
 
 
 def test_every_mode_has_its_own_time_to_show() -> None:

@@ -736,7 +736,7 @@ def test_a_position_is_asked_for_in_the_drives_own_counts(running: Bench, start:
     table = C.new("tb_drive_table")
     table.node, table.mode, table.metres_per_increment = 1, 1, 0.5
     table.increments_per_metre, table.torque_per_permille = 2.0, 1.0
-    link.drive, link.counts = addressof(table), C.TB_COUNTING_UNKNOWN
+    link.drive, link.has_origin = addressof(table), 0
     drive.position = wrapped(start)
     running.cycle(2)
     link.setup.mode = C.TB_MODE_POSITION

@@ -15,6 +15,8 @@ from hypothesis import strategies as st
 
 C = canopen_c()
 NODE, TIMEOUT = 5, 20
+MOST_OWED = 255
+"""Late answers that a client still expects."""
 TEXT, NUMBER, READ_ONLY, WRITE_ONLY, RECORD = 0x2000, 0x2001, 0x2002, 0x2003, 0x2004
 ABORT_TOGGLE, ABORT_TIMEOUT, ABORT_COMMAND = 0x05030000, 0x05040000, 0x05040001
 ABORT_MEMORY, ABORT_LENGTH, ABORT_GENERAL = 0x05040005, 0x06070010, 0x08000000
@@ -401,7 +403,7 @@ def test_the_late_answer_to_a_transfer_that_was_given_up_is_no_second_drive(
     assert server.client.extra == 1
 
 
-@pytest.mark.parametrize("late", [1, 2])
+@pytest.mark.parametrize("late", [1, 2, MOST_OWED])
 def test_late_answers_to_requests_that_were_repeated_are_no_second_drive(
     server: Server, late: int
 ) -> None:
@@ -420,6 +422,20 @@ def test_late_answers_to_requests_that_were_repeated_are_no_second_drive(
     for frame in answers(b"\x4b\x01\x20\x00\1\2"):
         server.answer(frame)
     assert server.client.extra == 1
+
+
+def test_more_late_answers_than_are_counted_are_no_second_drive(server: Server) -> None:
+    for _ in range(MOST_OWED + 1):
+        server.begin_upload(NUMBER, 0, 4)
+        while server.request() is not None:
+            pass
+        C.tb_sdo_cancel(byref(server.client))
+    server.begin_upload(NUMBER, 0, 4)
+    while server.request() is not None:
+        pass
+    for frame in answers(*[b"\x4b\x01\x20\x00\1\2"] * (MOST_OWED + 1)):
+        server.answer(frame)
+    assert (server.result, server.client.extra) == ("DONE", 0)
 
 
 def test_a_transfer_that_was_not_begun_owes_no_answer(server: Server) -> None:
