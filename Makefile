@@ -94,7 +94,7 @@ test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
 soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
-	$(VENV)/bin/python -m lab.soak $(CYCLES:%=--cycles %)
+	$(VENV)/bin/python -m turnbuckle.lab.soak $(CYCLES:%=--cycles %)
 
 campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
@@ -103,13 +103,13 @@ campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/
 	cp build/fault_campaign.md docs/fault-campaign.md
 
 mutants: $(SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
-	$(VENV)/bin/python -m lab.mutants $(COUNT:%=--count %)
+	$(VENV)/bin/python -m turnbuckle.lab.mutants $(COUNT:%=--count %)
 
 figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
-	$(VENV)/bin/python -m lab.figures
+	$(VENV)/bin/python -m turnbuckle.lab.figures
 
 bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
-	$(VENV)/bin/python -m lab.benchmark
+	$(VENV)/bin/python -m turnbuckle.lab.benchmark
 
 lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync lint_python lint_c
@@ -117,7 +117,7 @@ lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang wi
 lint_python:
 	$(VENV)/bin/ruff check .
 	$(VENV)/bin/ruff format --check .
-	$(VENV)/bin/mypy .
+	$(VENV)/bin/mypy
 
 lint_c:
 	.ci/lint_c

@@ -10,11 +10,19 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.composite import Item, cost
-from codegen.double_double import DoubleDouble
-from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, Result, double_for, evaluate, extended
-from codegen.samples import Sampler
-from model.machine import Machine
+from turnbuckle.codegen.composite import Item, cost
+from turnbuckle.codegen.double_double import DoubleDouble
+from turnbuckle.codegen.evaluate import (
+    DOUBLE,
+    FLOAT,
+    Arithmetic,
+    Result,
+    double_for,
+    evaluate,
+    extended,
+)
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.model.machine import Machine
 
 Array = NDArray[np.float64]
 

@@ -11,13 +11,23 @@ from pathlib import Path
 
 import numpy as np
 
-from codegen import accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples
-from codegen.accuracy import Accuracy, WorstCase, measure
-from codegen.composite import Item, fingerprint
-from model.machine import Machine
+from turnbuckle.codegen import (
+    accuracy,
+    chain,
+    composite,
+    double_double,
+    enumeration,
+    evaluate,
+    ir,
+    samples,
+)
+from turnbuckle.codegen.accuracy import Accuracy, WorstCase, measure
+from turnbuckle.codegen.composite import Item, fingerprint
+from turnbuckle.model.machine import Machine
+from turnbuckle.places import cache_folder
 
 #: Where measurements are kept between runs; safe to delete.
-CACHE = Path(__file__).parents[1] / "build" / "accuracy"
+CACHE = cache_folder() / "accuracy"
 _METHOD = (accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples)
 
 

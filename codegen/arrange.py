@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from codegen.ir import LEAVES, Op, Routine
+from turnbuckle.codegen.ir import LEAVES, Op, Routine
 
 #: Work worth a branch, in units of an addition.
 WORTH_A_BRANCH = 8

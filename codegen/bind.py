@@ -15,11 +15,11 @@ import jinja2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from codegen.compile import LIBRARIES, compile_library
-from codegen.folder import FolderError
-from codegen.generate import MANIFEST, TEMPLATES, generate, write
-from model.machine import Machine, load_machine
-from model.symbolic.function import Status
+from turnbuckle.codegen.compile import LIBRARIES, compile_library
+from turnbuckle.codegen.folder import FolderError
+from turnbuckle.codegen.generate import MANIFEST, TEMPLATES, generate, write
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.symbolic.function import Status
 
 REALS: dict[str, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
 
@@ -207,13 +207,13 @@ def keep_text(path: Path, text: str) -> None:
     os.replace(stream.name, path)
 
 
-def generate_into_build(machine: Machine) -> Path:
-    """A generated folder of the machine under build/, one for every content, made once."""
+def generate_into_cache(machine: Machine) -> Path:
+    """A generated folder of the machine in the cache, one for every content, made once."""
     return folder_of(machine, generate(machine))
 
 
 def folder_of(machine: Machine, files: dict[str, str]) -> Path:
-    """The folder under build/ that holds these files of a machine."""
+    """The folder in the cache that holds these files of a machine."""
     digest = hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()[:16]
     folder = LIBRARIES.parent / "generated" / f"{machine.name}-{digest}"
     if not (folder / MANIFEST).exists():
@@ -233,4 +233,4 @@ def load(machine_file: str | Path, precision: str = "double") -> Generated:
     no working C compiler, ValueError for an unknown precision.
     """
     machine = load_machine(machine_file)
-    return Generated(machine, generate_into_build(machine), precision)
+    return Generated(machine, generate_into_cache(machine), precision)

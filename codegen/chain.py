@@ -4,15 +4,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from codegen.enumeration import Enumeration, enumeration
-from codegen.fitting import Shape, refuse_strangers, shapes
-from codegen.ir import Routine
-from model.symbolic.composition import Call, Composition
-from model.symbolic.function import Input, ModelFunction, Output, Port, judged_by_results
-from model.symbolic.sweep import Sweep
+from turnbuckle.codegen.enumeration import Enumeration, enumeration
+from turnbuckle.codegen.fitting import Shape, refuse_strangers, shapes
+from turnbuckle.codegen.ir import Routine
+from turnbuckle.model.symbolic.composition import Call, Composition
+from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Port, judged_by_results
+from turnbuckle.model.symbolic.sweep import Sweep
 
 if TYPE_CHECKING:
-    from codegen.composite import Item
+    from turnbuckle.codegen.composite import Item
 
 
 @dataclass(frozen=True)

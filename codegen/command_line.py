@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from model.terminal import FAILED_CHECK, MachineFile, complain, fail, progress, working
+from turnbuckle.model.terminal import FAILED_CHECK, MachineFile, complain, fail, progress, working
 
 if TYPE_CHECKING:
-    from codegen.verify import Report
-    from model.machine import Machine
+    from turnbuckle.codegen.verify import Report
+    from turnbuckle.model.machine import Machine
 
 
 def generate(
@@ -46,7 +46,7 @@ def generate(
       turnbuckle generate machines/yoon2023.toml --out firmware/controller
     """
     begin = time.perf_counter()
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     machine = load_machine(file)
     folder = out or Path("generated") / machine.name
@@ -58,8 +58,8 @@ def generate(
 
 def warn_of_weakness(machine: Machine, strict: bool) -> None:
     """Say so where the target does not get what it wants, and end if the user is strict."""
-    from model.workspace.summary import coarse_grid, coverage
-    from model.workspace.words import coverage_in_words
+    from turnbuckle.model.workspace.summary import coarse_grid, coverage
+    from turnbuckle.model.workspace.words import coverage_in_words
 
     found = coverage(machine, coarse_grid(machine))
     if found.complete:
@@ -72,8 +72,8 @@ def warn_of_weakness(machine: Machine, strict: bool) -> None:
 
 def write_changed(machine: Machine, folder: Path) -> tuple[dict[str, str], bool]:
     """The generated files of a machine, and whether the folder had to be written."""
-    from codegen.folder import refuse_foreign
-    from codegen.generate import MANIFEST, generate, write
+    from turnbuckle.codegen.folder import refuse_foreign
+    from turnbuckle.codegen.generate import MANIFEST, generate, write
 
     refuse_foreign(folder, MANIFEST)  # before the long work rather than after it
     files = generate(machine)
@@ -95,7 +95,7 @@ def say_what_was_generated(
     machine: Machine, folder: Path, files: dict[str, str], changed: bool, seconds: float
 ) -> None:
     """One line of numbers, and every file with its size."""
-    from codegen.generate import MANIFEST
+    from turnbuckle.codegen.generate import MANIFEST
 
     manifest = json.loads(files[MANIFEST])
     functions = len(manifest["functions"]) + len(manifest["aliases"])
@@ -129,7 +129,7 @@ def verify(
     Example:
       turnbuckle verify machines/yoon2023.toml --points 500 --json > report.json
     """
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
     report = judged(file, points)
@@ -140,7 +140,7 @@ def verify(
 
 def judged(file: Path, points: int | None) -> Report:
     """Every generated function against the reference."""
-    from codegen.verify import POINTS, verify
+    from turnbuckle.codegen.verify import POINTS, verify
 
     with progress() as tell:
         return verify(
@@ -152,7 +152,7 @@ def judged(file: Path, points: int | None) -> Report:
 
 def show_report(report: Report, as_json: bool) -> None:
     """The table of worst errors, then what disagrees; or all of it as JSON."""
-    from codegen.verify_report import failure, json_text, table, verdict
+    from turnbuckle.codegen.verify_report import failure, json_text, table, verdict
 
     if as_json:
         typer.echo(json_text(report))

@@ -8,10 +8,11 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from model.refusal import Refusal
+from turnbuckle.model.refusal import Refusal
+from turnbuckle.places import cache_folder
 
 #: Where libraries are kept; safe to delete.
-LIBRARIES = Path(__file__).parents[1] / "build" / "libraries"
+LIBRARIES = cache_folder() / "libraries"
 #: Flags that every build of ours uses: the same bits on every target, square roots inline.
 FLAGS: tuple[str, ...] = (
     "-std=c11",

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from codegen.chain import Chain
-from codegen.enumeration import Enumeration
-from codegen.fitting import refuse_strangers
-from codegen.ir import Op, Routine
-from model.symbolic.function import (
+from turnbuckle.codegen.chain import Chain
+from turnbuckle.codegen.enumeration import Enumeration
+from turnbuckle.codegen.fitting import refuse_strangers
+from turnbuckle.codegen.ir import Op, Routine
+from turnbuckle.model.symbolic.function import (
     ModelFunction,
     Output,
     Repeat,

@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from codegen.print_c import literal
-from model.machine import Machine
-from model.symbolic.forward_kinematics import needs_guess
+from turnbuckle.codegen.print_c import literal
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.forward_kinematics import needs_guess
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from codegen.bind import REALS, Generated, pointer
-from codegen.compile import compile_library
-from model.machine import Machine
+from turnbuckle.codegen.bind import REALS, Generated, pointer
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.model.machine import Machine
+from turnbuckle.places import RUNTIME
 
 Reals = NDArray[np.floating[Any]]
 
@@ -17,7 +18,7 @@ UNCOMPENSATED = 1
 """TB_OPTION_UNCOMPENSATED: estimate the disturbance, do not compensate it."""
 
 SHIM = Path(__file__).parent / "controller_shim.c"
-RUNTIME_CORE = Path(__file__).parents[1] / "runtime" / "core"
+RUNTIME_CORE = RUNTIME / "core"
 #: The part of the runtime that is the controller step; the rest is for machines with buses.
 STEP = ("controller.c", "torque_gate.c")
 

@@ -3,14 +3,14 @@
 import textwrap
 from dataclasses import dataclass
 
-from codegen.accuracy import Accuracy, WorstCase
-from codegen.chain import Chain, Link
-from codegen.composite import Item, Loop, Procedure, cost, most_steps, most_visits
-from codegen.enumeration import Enumeration
-from codegen.ir import Op, Routine
-from codegen.print_c import LINE_WIDTH, Printer, literal, wrap
-from model.symbolic.function import Input, ModelFunction, Output, Status
-from model.symbolic.sweep import CHOSEN, NUMBERS
+from turnbuckle.codegen.accuracy import Accuracy, WorstCase
+from turnbuckle.codegen.chain import Chain, Link
+from turnbuckle.codegen.composite import Item, Loop, Procedure, cost, most_steps, most_visits
+from turnbuckle.codegen.enumeration import Enumeration
+from turnbuckle.codegen.ir import Op, Routine
+from turnbuckle.codegen.print_c import LINE_WIDTH, Printer, literal, wrap
+from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Status
+from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS
 
 #: Arguments with more entries than this are not listed where an error is worst.
 LONGEST_PLACE = 8

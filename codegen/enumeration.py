@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from codegen.fitting import refuse_strangers, shapes
-from codegen.ir import Routine
-from model.symbolic.function import ModelFunction, Output, judged_by_results
-from model.symbolic.sweep import CHOSEN, NUMBERS, Sweep
+from turnbuckle.codegen.fitting import refuse_strangers, shapes
+from turnbuckle.codegen.ir import Routine
+from turnbuckle.model.symbolic.function import ModelFunction, Output, judged_by_results
+from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS, Sweep
 
 
 @dataclass(frozen=True)

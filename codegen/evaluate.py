@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.chain import Chain
-from codegen.composite import Item, Loop, Procedure
-from codegen.double_double import DoubleDouble, choose
-from codegen.enumeration import Enumeration
-from codegen.ir import Node, Op, Routine
-from model.symbolic.function import Port, Status
-from model.symbolic.sweep import CHOSEN, NUMBERS
+from turnbuckle.codegen.chain import Chain
+from turnbuckle.codegen.composite import Item, Loop, Procedure
+from turnbuckle.codegen.double_double import DoubleDouble, choose
+from turnbuckle.codegen.enumeration import Enumeration
+from turnbuckle.codegen.ir import Node, Op, Routine
+from turnbuckle.model.symbolic.function import Port, Status
+from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS
 
 
 @dataclass(frozen=True)

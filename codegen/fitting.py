@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from model.symbolic.function import Port
+from turnbuckle.model.symbolic.function import Port
 
 Shape = tuple[int, ...]
 

@@ -11,7 +11,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from model.refusal import Refusal
+from turnbuckle.model.refusal import Refusal
 
 
 class FolderError(Refusal):

@@ -9,25 +9,25 @@ from typing import Any
 import casadi
 import jinja2
 
-from codegen.accuracy import Accuracy
-from codegen.accuracy_cache import measured_accuracy
-from codegen.bus.dbc import dbc_files
-from codegen.bus.drives import drive_fields
-from codegen.chain import Chain, chain
-from codegen.composite import Item, Procedure, fingerprint, loop
-from codegen.constants import constants
-from codegen.emit import CFunction, emit, emit_alias
-from codegen.enumeration import enumeration
-from codegen.folder import write_folder
-from codegen.ir import Routine
-from codegen.lower import lower
-from codegen.simplify import simplify
-from model.machine import Machine
-from model.refusal import Refusal
-from model.symbolic.composition import Composite, Composition
-from model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
-from model.symbolic.sweep import Sweep
-from model.symbolic.topics import TOPICS, model_composites, model_functions
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.accuracy_cache import measured_accuracy
+from turnbuckle.codegen.bus.dbc import dbc_files
+from turnbuckle.codegen.bus.drives import drive_fields
+from turnbuckle.codegen.chain import Chain, chain
+from turnbuckle.codegen.composite import Item, Procedure, fingerprint, loop
+from turnbuckle.codegen.constants import constants
+from turnbuckle.codegen.emit import CFunction, emit, emit_alias
+from turnbuckle.codegen.enumeration import enumeration
+from turnbuckle.codegen.folder import write_folder
+from turnbuckle.codegen.ir import Routine
+from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.refusal import Refusal
+from turnbuckle.model.symbolic.composition import Composite, Composition
+from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
+from turnbuckle.model.symbolic.sweep import Sweep
+from turnbuckle.model.symbolic.topics import TOPICS, model_composites, model_functions
 
 GENERATOR_VERSION = "0.1.4"
 CASADI_VERSION: str = casadi.CasadiMeta.version()

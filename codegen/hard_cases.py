@@ -9,10 +9,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.samples import Sampler
-from model.machine import Machine
-from model.symbolic import kinematic_functions
-from model.symbolic.function import ModelFunction
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import kinematic_functions
+from turnbuckle.model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
 

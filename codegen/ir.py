@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
 
-from model.symbolic.function import ModelFunction
+from turnbuckle.model.symbolic.function import ModelFunction
 
 
 class Op(Enum):

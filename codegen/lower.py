@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import casadi as ca
 
-from codegen.ir import Node, Op, Routine
-from model.symbolic.function import EPSILON, ModelFunction
+from turnbuckle.codegen.ir import Node, Op, Routine
+from turnbuckle.model.symbolic.function import EPSILON, ModelFunction
 
 _BINARY = {
     ca.OP_ADD: Op.ADD,

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.pose_map import Reals, Tile
-from model.machine import Machine
+from turnbuckle.codegen.pose_map import Reals, Tile
+from turnbuckle.model.machine import Machine
 
 #: Classes of the histogram of margins, unless told otherwise.
 BINS = 400

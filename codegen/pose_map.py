@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from codegen.bind import REALS, Generated, pointer
-from codegen.compile import compile_library
-from model.machine import Machine
+from turnbuckle.codegen.bind import REALS, Generated, pointer
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.model.machine import Machine
 
 Reals = NDArray[np.floating[Any]]
 Doubles = NDArray[np.float64]

@@ -5,8 +5,8 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from codegen.arrange import Block, Branch, arrange
-from codegen.ir import LEAVES, LOGICAL, Node, Op, Routine
+from turnbuckle.codegen.arrange import Block, Branch, arrange
+from turnbuckle.codegen.ir import LEAVES, LOGICAL, Node, Op, Routine
 
 #: Longest line of code that is printed.
 LINE_WIDTH = 96

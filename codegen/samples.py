@@ -9,11 +9,11 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.evaluate import DOUBLE, evaluate
-from codegen.lower import lower
-from model.machine import Machine
-from model.symbolic import base_targets, kinematic_functions
-from model.symbolic.function import ModelFunction
+from turnbuckle.codegen.evaluate import DOUBLE, evaluate
+from turnbuckle.codegen.lower import lower
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import base_targets, kinematic_functions
+from turnbuckle.model.symbolic.function import ModelFunction
 
 Array = NDArray[np.float64]
 

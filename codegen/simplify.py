@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 
-from codegen.ir import COMMUTATIVE, Node, Op, Routine
+from turnbuckle.codegen.ir import COMMUTATIVE, Node, Op, Routine
 
 _FOLD: dict[Op, Callable[..., float]] = {
     Op.ADD: lambda a, b: a + b,

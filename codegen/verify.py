@@ -17,18 +17,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.accuracy import Accuracy
-from codegen.accuracy_cache import measured_accuracy
-from codegen.bind import REALS, Generated, GeneratedFunction, folder_of
-from codegen.generate import Model, build_model, render
-from codegen.hard_cases import HardSampler
-from codegen.judges import JUDGES
-from codegen.judges.problem import Bools, Expected, Problem
-from codegen.samples import Sampler
-from model.machine import Machine, load_machine
-from model.reference.control import disturbance_sequence
-from model.reference.planar import Array as Wide
-from model.symbolic.function import Input, ModelFunction, Status
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.accuracy_cache import measured_accuracy
+from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction, folder_of
+from turnbuckle.codegen.generate import Model, build_model, render
+from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.judges import JUDGES
+from turnbuckle.codegen.judges.problem import Bools, Expected, Problem
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.reference.control import disturbance_sequence
+from turnbuckle.model.reference.planar import Array as Wide
+from turnbuckle.model.symbolic.function import Input, ModelFunction, Status
 
 Progress = Callable[[str, int, int], None]
 

@@ -7,7 +7,7 @@ from typing import Any
 from rich.table import Table
 from rich.text import Text
 
-from codegen.verify import Report, Row
+from turnbuckle.codegen.verify import Report, Row
 
 # Errors larger than these are shown as larger.
 LARGEST_SHARE, LARGEST_ULP = 9.99, 1e5

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.controller import Controller, Outputs
-from lab.hand import Hand
-from lab.plant import PlanarPlant
-from lab.task import Phase, Task
-from model.machine import Machine, Plant
-from model.reference.control import base_targets
+from turnbuckle.codegen.controller import Controller, Outputs
+from turnbuckle.lab.hand import Hand
+from turnbuckle.lab.plant import PlanarPlant
+from turnbuckle.lab.task import Phase, Task
+from turnbuckle.model.machine import Machine, Plant
+from turnbuckle.model.reference.control import base_targets
 
 Reals = NDArray[np.float64]
 Progress = Callable[[float], None]

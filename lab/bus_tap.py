@@ -7,10 +7,10 @@ from math import ceil
 from struct import Struct
 from typing import TextIO
 
-from lab.drives.bus import Listener, SimulatedBus
-from lab.drives.node import Frame
-from model.bus.axis import Axis, axes
-from model.machine import Machine
+from turnbuckle.lab.drives.bus import Listener, SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.machine import Machine
 
 NMT, SYNC, RPDO = 0x000, 0x080, 0x200
 START = 0x01

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from model.terminal import MachineFile, progress
+from turnbuckle.model.terminal import MachineFile, progress
 
 
 def demo(
@@ -23,10 +23,10 @@ def demo(
     Example:
       turnbuckle demo machines/yoon2023.toml --out pictures
     """
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
-    from lab.demo import run_demo, summary_table
+    from turnbuckle.lab.demo import run_demo, summary_table
 
     with progress() as tell:
         result = run_demo(file, out, tell)

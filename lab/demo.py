@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
 
-from codegen.bind import Generated, load
-from codegen.controller import UNCOMPENSATED, Controller
-from lab.bench import Reals, Recording, run_task
-from lab.plots import draw
-from lab.summary import Summary, summarise
-from lab.task import Planner, Task
-from model.machine import Machine, Plant, load_machine
-from model.problem import MachineError, Problem
-from model.reference.control import base_targets
+from turnbuckle.codegen.bind import Generated, load
+from turnbuckle.codegen.controller import UNCOMPENSATED, Controller
+from turnbuckle.lab.bench import Reals, Recording, run_task
+from turnbuckle.lab.plots import draw
+from turnbuckle.lab.summary import Summary, summarise
+from turnbuckle.lab.task import Planner, Task
+from turnbuckle.model.machine import Machine, Plant, load_machine
+from turnbuckle.model.problem import MachineError, Problem
+from turnbuckle.model.reference.control import base_targets
 
 Progress = Callable[[str, float], None]
 """Told what is being done, and the share of it that is done."""

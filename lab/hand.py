@@ -10,8 +10,8 @@ spring and damper to carry is the device:
 from bisect import bisect_right
 from dataclasses import dataclass
 
-from lab.strand import Pair
-from model.machine import Plant
+from turnbuckle.lab.strand import Pair
+from turnbuckle.model.machine import Plant
 
 
 def least_jerk(u: float) -> float:

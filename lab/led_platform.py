@@ -9,9 +9,9 @@ from math import pi, sin
 
 import numpy as np
 
-from model.machine import Machine
-from model.problem import MachineError, Problem
-from model.reference.kinematics import cable_lengths
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import MachineError, Problem
+from turnbuckle.model.reference.kinematics import cable_lengths
 
 SHARE = 0.6
 """Share of the target that the path covers, and of the rotation that is wanted there."""

@@ -14,15 +14,15 @@ from struct import Struct
 
 import numpy as np
 
-from codegen.bind import REALS, Generated, pointer
-from codegen.compile import compile_library
-from lab.drives.node import Frame
-from lab.machine_sim import SimulatedMachine
-from lab.strand import Pair
-from model.bus.plan import compute_phase, loads, timing
+from turnbuckle.codegen.bind import REALS, Generated, pointer
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.strand import Pair
+from turnbuckle.model.bus.plan import compute_phase, loads, timing
+from turnbuckle.places import RUNTIME
 
 SHIM = Path(__file__).parent / "lockstep_shim.c"
-RUNTIME = Path(__file__).parents[1] / "runtime"
 FOLDERS = tuple(RUNTIME / name for name in ("core", "canopen"))
 CAN = RUNTIME / "can"
 PORTABLE_CAN = (CAN / "can.c", CAN / "loopback.c")

@@ -8,18 +8,18 @@ control cycle at a time.
 import random
 from collections.abc import Sequence
 
-from lab.drives.bus import SimulatedBus
-from lab.drives.drive import Drive
-from lab.drives.setup import Identity, Ratings, Setup
-from lab.drives.wire import Conditions, wires
-from lab.hand import Cue, Hand
-from lab.led_platform import LedPlatform
-from lab.plant import PlanarPlant
-from lab.strand import Pair
-from lab.task import Task
-from model.bus.axis import Axis, axes
-from model.machine import Machine, Plant
-from model.problem import MachineError, Problem
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.drive import Drive
+from turnbuckle.lab.drives.setup import Identity, Ratings, Setup
+from turnbuckle.lab.drives.wire import Conditions, wires
+from turnbuckle.lab.hand import Cue, Hand
+from turnbuckle.lab.led_platform import LedPlatform
+from turnbuckle.lab.plant import PlanarPlant
+from turnbuckle.lab.strand import Pair
+from turnbuckle.lab.task import Task
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.machine import Machine, Plant
+from turnbuckle.model.problem import MachineError, Problem
 
 PRODUCT, REVISION = 0x61500000, 0x01700000
 """What a simulated drive says it is, where the machine file does not care."""

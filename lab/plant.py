@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from math import ceil
 from typing import Protocol
 
-from lab.strand import Pair, Strand, strands
-from model.machine import Machine, Plant
+from turnbuckle.lab.strand import Pair, Strand, strands
+from turnbuckle.model.machine import Machine, Plant
 
 LOWEST_RATE = 8000.0
 """Integration steps per second, at least [Hz]."""

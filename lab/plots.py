@@ -9,10 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon, Rectangle
 
-from lab.bench import Reals, Recording
-from lab.summary import penetration
-from lab.task import Phase
-from model.machine import Machine, Wall
+from turnbuckle.lab.bench import Reals, Recording
+from turnbuckle.lab.summary import penetration
+from turnbuckle.lab.task import Phase
+from turnbuckle.model.machine import Machine, Wall
 
 MM = 1e3
 CABLES = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#7F7F7F"]

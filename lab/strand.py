@@ -18,8 +18,8 @@ and motor at one speed. A broken cable never takes hold again; the drum of a hoo
 from dataclasses import dataclass
 from math import exp, hypot
 
-from model.base import BaseMotion
-from model.machine import Machine, Plant
+from turnbuckle.model.base import BaseMotion
+from turnbuckle.model.machine import Machine, Plant
 
 Pair = tuple[float, float]
 

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lab.bench import Reals, Recording
-from lab.task import TENSIONING
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.lab.bench import Reals, Recording
+from turnbuckle.lab.task import TENSIONING
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,10 @@ from math import cos, dist, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from lab.hand import Path, least_jerk
-from lab.strand import Pair
-from model.machine import Machine, Plant, Wall
-from model.problem import MachineError, Problem
+from turnbuckle.lab.hand import Path, least_jerk
+from turnbuckle.lab.strand import Pair
+from turnbuckle.model.machine import Machine, Plant, Wall
+from turnbuckle.model.problem import MachineError, Problem
 
 Capability = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """Force [N] (k) that the machine has in every direction at positions [m] (k, 2), 0 if none."""

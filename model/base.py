@@ -7,9 +7,9 @@ from functools import cache
 
 from pydantic import Field
 
-from model.quantity import Point, UnitVector
-from model.table import Table
-from model.words import Identifier
+from turnbuckle.model.quantity import Point, UnitVector
+from turnbuckle.model.table import Table
+from turnbuckle.model.words import Identifier
 
 Coordinates = tuple[float, ...]
 HEADING = (

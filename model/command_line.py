@@ -4,7 +4,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from model.terminal import MachineFile
+from turnbuckle.model.terminal import MachineFile
 
 
 def check(file: MachineFile) -> None:
@@ -14,7 +14,7 @@ def check(file: MachineFile) -> None:
     Example:
       turnbuckle check machines/yoon2023.toml
     """
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
     for label, value in load_machine(file).describe():

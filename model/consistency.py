@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from model import layout
-from model.bus import rules as bus
-from model.layout import ROUNDING
-from model.problem import FOUND_NOTHING, Problem, key_path, problem_at, shown
+from turnbuckle.model import layout
+from turnbuckle.model.bus import rules as bus
+from turnbuckle.model.layout import ROUNDING
+from turnbuckle.model.problem import FOUND_NOTHING, Problem, key_path, problem_at, shown
 
 if TYPE_CHECKING:
-    from model.machine import Machine
+    from turnbuckle.model.machine import Machine
 
 MOST_CABLES = 16
 MOST_WALLS = 16

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from model.base import FixedBase, PlaneBase, RailBase, leader
-from model.problem import FOUND_NOTHING, Location, Problem, key_path, problem_at, shown
+from turnbuckle.model.base import FixedBase, PlaneBase, RailBase, leader
+from turnbuckle.model.problem import FOUND_NOTHING, Location, Problem, key_path, problem_at, shown
 
 if TYPE_CHECKING:
-    from model.machine import Machine
+    from turnbuckle.model.machine import Machine
 
 # A product of two rounded numbers may miss an exact limit by this much.
 ROUNDING = 4 * sys.float_info.epsilon

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, ConfigDict, Field, PrivateAttr, ValidationError
 
-from model.base import (
+from turnbuckle.model.base import (
     Base,
     BaseMotion,
     Coordinates,
@@ -19,12 +19,20 @@ from model.base import (
     RailCoordinate,
     motions,
 )
-from model.bus.tables import Bus, Calibration, Drive, OtherNode, RailHoming, Rating, Supervision
-from model.consistency import consistency_problems
-from model.kind import KINDS
-from model.problem import MachineError, Problem, schema_problems
-from model.pulley import SENSE, Pulley, PulleyTable
-from model.quantity import (
+from turnbuckle.model.bus.tables import (
+    Bus,
+    Calibration,
+    Drive,
+    OtherNode,
+    RailHoming,
+    Rating,
+    Supervision,
+)
+from turnbuckle.model.consistency import consistency_problems
+from turnbuckle.model.kind import KINDS
+from turnbuckle.model.problem import MachineError, Problem, schema_problems
+from turnbuckle.model.pulley import SENSE, Pulley, PulleyTable
+from turnbuckle.model.quantity import (
     Angle,
     AngleOrZero,
     Damping,
@@ -45,8 +53,8 @@ from model.quantity import (
     TorqueRate,
     UnitVector,
 )
-from model.table import Table
-from model.words import CommentLine, Identifier, KindName
+from turnbuckle.model.table import Table
+from turnbuckle.model.words import CommentLine, Identifier, KindName
 
 __all__ = ["Machine", "MachineError", "json_schema", "load_machine"]
 

@@ -12,7 +12,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from model.refusal import Refusal
+from turnbuckle.model.refusal import Refusal
 
 Location = Sequence[str | int]
 

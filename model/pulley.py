@@ -5,9 +5,9 @@ from typing import Literal
 
 from pydantic import Field
 
-from model.base import Coordinates
-from model.quantity import Length, UnitVector
-from model.table import Table
+from turnbuckle.model.base import Coordinates
+from turnbuckle.model.quantity import Length, UnitVector
+from turnbuckle.model.table import Table
 
 #: Sense in which a cable is wound, seen along its way to the platform: +1 is counter-clockwise.
 SENSE = {"left": 1, "right": -1}

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
-from model.problem import refusal, shown
+from turnbuckle.model.problem import refusal, shown
 
 if TYPE_CHECKING:
     import pint

@@ -5,8 +5,8 @@ from typing import Annotated
 
 from pydantic import AfterValidator, Field
 
-from model.kind import KINDS
-from model.problem import nearest, refusal
+from turnbuckle.model.kind import KINDS
+from turnbuckle.model.problem import nearest, refusal
 
 IDENTIFIER = "[a-z][a-z0-9_]*"
 # C11 promises 31 significant characters of a name that other files see.

@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import codegen.compile
-from codegen.accuracy import Accuracy
-from codegen.bind import REALS, Generated, folder_of
-from codegen.composite import Item
-from codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
-from codegen.generate import Model, render
-from codegen.verify import call
-from model.machine import Machine
-from model.symbolic.function import Status
+import turnbuckle.codegen.compile
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.bind import REALS, Generated, folder_of
+from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
+from turnbuckle.codegen.generate import Model, render
+from turnbuckle.codegen.verify import call
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 ARITHMETIC = {"double": DOUBLE, "float": FLOAT}
 
@@ -31,12 +31,12 @@ class OnlyItems(Model):
 @contextmanager
 def optimised(level: str) -> Iterator[None]:
     """The compiler optimises less meanwhile: it is quicker, and no bit of a result changes."""
-    flags = codegen.compile.FLAGS
-    codegen.compile.FLAGS = (*flags, level)
+    flags = turnbuckle.codegen.compile.FLAGS
+    turnbuckle.codegen.compile.FLAGS = (*flags, level)
     try:
         yield
     finally:
-        codegen.compile.FLAGS = flags
+        turnbuckle.codegen.compile.FLAGS = flags
 
 
 def printed(machine: Machine, items: list[Item]) -> Path:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from heapq import heappop, heappush
 from random import Random
 
-from model.bus.response import Message
+from turnbuckle.model.bus.response import Message
 
 
 def longest_responses(

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import can
 
-from codegen.compile import compile_library
+from turnbuckle.codegen.compile import compile_library
 
 ROOT = Path(__file__).parents[1]
 CAN = ROOT / "runtime" / "can"

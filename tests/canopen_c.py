@@ -10,7 +10,7 @@ from unittest import mock
 
 from c_structs import Declarations, declarations
 
-from codegen.compile import compile_library
+from turnbuckle.codegen.compile import compile_library
 
 ROOT = Path(__file__).parents[1]
 MACHINE = ROOT / "generated" / "yoon2023"

@@ -11,11 +11,11 @@ import pytest
 import quick_compiler  # noqa: F401
 from hypothesis import HealthCheck, settings
 
-from codegen.accuracy import Accuracy
-from codegen.accuracy_cache import measured_accuracy
-from codegen.bind import Generated
-from codegen.generate import Model, build_model
-from model.machine import Machine, load_machine
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.accuracy_cache import measured_accuracy
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.generate import Model, build_model
+from turnbuckle.model.machine import Machine, load_machine
 
 if TYPE_CHECKING:
     from journey import Journey

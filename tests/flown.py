@@ -7,9 +7,9 @@ from pathlib import Path
 
 from supervised import CORE, SHIM, STOCK, Machine, Observation, Orders
 
-from codegen.bind import keep_text
-from codegen.compile import LIBRARIES, compile_library
-from lab.flight.replay import supervisor_sources
+from turnbuckle.codegen.bind import keep_text
+from turnbuckle.codegen.compile import LIBRARIES, compile_library
+from turnbuckle.lab.flight.replay import supervisor_sources
 
 SEGMENTS, SEGMENT_CYCLES = 40, 256
 """TB_RECORDER_SEGMENTS and TB_SEGMENT_CYCLES of runtime/core/recorder.h."""

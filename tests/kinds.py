@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine, load_machine
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from typing import Any
 import can
 from peer_drives import PeerDrives
 
-from lab.drives.node import Frame
+from turnbuckle.lab.drives.node import Frame
 
 END, FRAMES = b"\r", b"tTrR"
 READ_AT_ONCE = 4096

@@ -9,13 +9,13 @@ from functools import cache
 from peer_drives import Bus, Drive, Library, PeerDrives, Timing, Variation
 from peer_drives import Frame as PeerFrame
 
-from lab.drives.node import Frame
-from lab.hand import Cue, Hand
-from lab.hand import Path as HandPath
-from lab.plant import PlanarPlant
-from lab.strand import Pair
-from model.bus.axis import Axis, axes
-from model.machine import Machine
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.hand import Cue, Hand
+from turnbuckle.lab.hand import Path as HandPath
+from turnbuckle.lab.plant import PlanarPlant
+from turnbuckle.lab.strand import Pair
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.machine import Machine
 
 NANO = 1e-9
 NEAR_THEIR_STOPS = (0.012, 0.010, 0.011, 0.009)

@@ -8,7 +8,7 @@ by conftest.py; by pytest in the guest, which cannot compile, to find the same l
 import os
 from pathlib import Path
 
-import codegen.compile
+import turnbuckle.codegen.compile
 
 #: An illegal instruction beyond an array; large numbers in what was not initialised.
 WATCHFUL = (
@@ -18,8 +18,8 @@ WATCHFUL = (
 )
 
 if folder := os.environ.get("TURNBUCKLE_COVERAGE"):
-    codegen.compile.FLAGS = (*codegen.compile.FLAGS, "-O0", "--coverage")
-    codegen.compile.LIBRARIES = Path(folder)
+    turnbuckle.codegen.compile.FLAGS = (*turnbuckle.codegen.compile.FLAGS, "-O0", "--coverage")
+    turnbuckle.codegen.compile.LIBRARIES = Path(folder)
 else:
-    codegen.compile.FLAGS = (*codegen.compile.FLAGS, "-O1")
-    codegen.compile.GCC_FLAGS = (*codegen.compile.GCC_FLAGS, *WATCHFUL)
+    turnbuckle.codegen.compile.FLAGS = (*turnbuckle.codegen.compile.FLAGS, "-O1")
+    turnbuckle.codegen.compile.GCC_FLAGS = (*turnbuckle.codegen.compile.GCC_FLAGS, *WATCHFUL)

@@ -9,11 +9,11 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from lab.drives.bus import SimulatedBus
-from lab.drives.simulated_clock import SimulatedClock, Simulation
-from lab.drives.slcan_adapter import SlcanAdapter
-from lab.live import LiveError
-from lab.live.telemetry import Record, Telemetry
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.simulated_clock import SimulatedClock, Simulation
+from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter
+from turnbuckle.lab.live import LiveError
+from turnbuckle.lab.live.telemetry import Record, Telemetry
 
 BUSES = ("cable1", "cable2", "base")
 PATIENCE = 600.0

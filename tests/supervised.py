@@ -14,8 +14,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from codegen.bind import keep_text
-from codegen.compile import compile_library
+from turnbuckle.codegen.bind import keep_text
+from turnbuckle.codegen.compile import compile_library
 
 ROOT = Path(__file__).parents[1]
 CORE = ROOT / "runtime" / "core"

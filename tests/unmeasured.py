@@ -5,14 +5,14 @@ from pathlib import Path
 
 from built import optimised
 
-from codegen.accuracy import Accuracy
-from codegen.bind import Generated, folder_of
-from codegen.composite import Item
-from codegen.generate import Model, composed, render
-from codegen.lower import lower
-from codegen.simplify import simplify
-from model.machine import Machine, load_machine
-from model.symbolic.topics import TOPICS, model_composites
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.bind import Generated, folder_of
+from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.generate import Model, composed, render
+from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.symbolic.topics import TOPICS, model_composites
 
 FOLDERS = (Path(__file__).parent / "machines", Path(__file__).parents[1] / "machines")
 #: One machine of every kind, with every sort of base, and pulleys on three of them.

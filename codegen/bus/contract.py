@@ -7,10 +7,10 @@ CiA 301 fig. 66 for PDOs: a PDO is made invalid, described, and only then made v
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from model.bus.axis import Axis
-from model.bus.frames import RPDO, TPDO, Mapped, rpdo_map, tpdo_map
-from model.bus.tables import MASTER_NODE, RailHoming, Rating
-from model.machine import Machine
+from turnbuckle.model.bus.axis import Axis
+from turnbuckle.model.bus.frames import RPDO, TPDO, Mapped, rpdo_map, tpdo_map
+from turnbuckle.model.bus.tables import MASTER_NODE, RailHoming, Rating
+from turnbuckle.model.machine import Machine
 
 MAXON = 0xFB
 PDOS = 4

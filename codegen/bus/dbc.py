@@ -6,8 +6,8 @@ Node numbers repeat from bus to bus, so each bus has a file of its own.
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from model.bus.axis import Axis, axes
-from model.bus.frames import (
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.bus.frames import (
     EMERGENCY,
     HEARTBEAT,
     POSITION,
@@ -20,9 +20,9 @@ from model.bus.frames import (
     rpdo_map,
     tpdo_map,
 )
-from model.bus.plan import Load, loads
-from model.bus.tables import MASTER, MASTER_NODE, OtherNode
-from model.machine import Machine
+from turnbuckle.model.bus.plan import Load, loads
+from turnbuckle.model.bus.tables import MASTER, MASTER_NODE, OtherNode
+from turnbuckle.model.machine import Machine
 
 EVERYONE = "Vector__XXX"
 POSITIONS = (POSITION, TARGET_POSITION)

@@ -2,12 +2,12 @@
 
 from math import inf
 
-from codegen.bus.contract import Object, contract, identity
-from codegen.constants import Constant, real
-from codegen.print_c import literal
-from model.bus.axis import Axis, axes
-from model.bus.plan import compute_phase, loads, timing
-from model.machine import Machine
+from turnbuckle.codegen.bus.contract import Object, contract, identity
+from turnbuckle.codegen.constants import Constant, real
+from turnbuckle.codegen.print_c import literal
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.bus.plan import compute_phase, loads, timing
+from turnbuckle.model.machine import Machine
 
 MODES = {"torque": 0, "position": 1}
 NO_FRAME = "{0x800, 0}"

@@ -12,8 +12,8 @@ rounding of the C, which is told in one of two ways:
   a problem whose bounds are a hair off shows how much that matters.
 """
 
-from codegen.judges import comparison, control, motion, quality, tensions
-from codegen.judges.problem import Judge
+from turnbuckle.codegen.judges import comparison, control, motion, quality, tensions
+from turnbuckle.codegen.judges.problem import Judge
 
 JUDGES: dict[str, Judge] = {
     **motion.JUDGES,

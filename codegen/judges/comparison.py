@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from codegen.judges.conditioning import smallest_singular_value
-from codegen.judges.problem import (
+from turnbuckle.codegen.judges.conditioning import smallest_singular_value
+from turnbuckle.codegen.judges.problem import (
     ROUNDINGS,
     Bools,
     Expected,
@@ -26,7 +26,7 @@ from codegen.judges.problem import (
     levers,
     statuses,
 )
-from codegen.judges.tensions import (
+from turnbuckle.codegen.judges.tensions import (
     RANK_FACTOR,
     TENSION_ROUNDINGS,
     nearly_parallel,
@@ -34,12 +34,12 @@ from codegen.judges.tensions import (
     rank_limit,
     with_bounds,
 )
-from model.machine import Machine
-from model.reference import brau
-from model.reference.arrays import norm
-from model.symbolic import active_set, comparison
-from model.symbolic.function import Status
-from model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS, is_unrolled
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import brau
+from turnbuckle.model.reference.arrays import norm
+from turnbuckle.model.symbolic import active_set, comparison
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.tension import KKT_TOLERANCE, LARGEST_MISS, is_unrolled
 
 #: What is moved in so many random directions, either way, may in truth move by so much more.
 DIRECTIONS, MARGIN = 2, 4.0

@@ -9,9 +9,9 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.judges.problem import ROUNDINGS, Bools
-from model.reference.arrays import Array as Wide
-from model.reference.planar import minors
+from turnbuckle.codegen.judges.problem import ROUNDINGS, Bools
+from turnbuckle.model.reference.arrays import Array as Wide
+from turnbuckle.model.reference.planar import minors
 
 #: A singular value below this is rounding.
 NOTHING = np.finfo(float).eps * ROUNDINGS

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from codegen.judges.conditioning import least_pivot, smallest_singular_value
-from codegen.judges.motion import smallest_pivot
-from codegen.judges.problem import (
+from turnbuckle.codegen.judges.conditioning import least_pivot, smallest_singular_value
+from turnbuckle.codegen.judges.motion import smallest_pivot
+from turnbuckle.codegen.judges.problem import (
     ROUNDINGS,
     Expected,
     Judge,
@@ -17,9 +17,9 @@ from codegen.judges.problem import (
     levers,
     statuses,
 )
-from model.reference import control
-from model.reference.arrays import norm
-from model.symbolic.function import Status
+from turnbuckle.model.reference import control
+from turnbuckle.model.reference.arrays import norm
+from turnbuckle.model.symbolic.function import Status
 
 
 def motor_torques(p: Problem) -> Expected:

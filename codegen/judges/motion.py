@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from codegen.judges.conditioning import least_pivot, smallest_singular_value
-from codegen.judges.problem import (
+from turnbuckle.codegen.judges.conditioning import least_pivot, smallest_singular_value
+from turnbuckle.codegen.judges.problem import (
     GIVES_UP,
     ROUNDINGS,
     Bools,
@@ -22,9 +22,9 @@ from codegen.judges.problem import (
     statuses,
     union,
 )
-from model.reference import kinematics, statics
-from model.reference.arrays import norm
-from model.symbolic.forward_kinematics import (
+from turnbuckle.model.reference import kinematics, statics
+from turnbuckle.model.reference.arrays import norm
+from turnbuckle.model.symbolic.forward_kinematics import (
     FITTED_ROUNDINGS,
     FITTED_SHARE,
     FLATTEST,
@@ -32,8 +32,8 @@ from model.symbolic.forward_kinematics import (
     MOST_STEPS,
     needs_guess,
 )
-from model.symbolic.function import Status
-from model.symbolic.kinematics import CONTACT_DISTANCE, PIVOT_ROUNDINGS, SMALLEST_PIVOT
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.kinematics import CONTACT_DISTANCE, PIVOT_ROUNDINGS, SMALLEST_PIVOT
 
 #: A search from a guess may give up where the lengths change little with the pose.
 SEARCH_DOUBT = 0.05

@@ -7,9 +7,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from model.machine import Machine
-from model.reference.arrays import Array
-from model.symbolic.function import Status
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array
+from turnbuckle.model.symbolic.function import Status
 
 Bools = NDArray[np.bool_]
 Wide: TypeAlias = Array

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from codegen.judges.motion import direction_gain, touching
-from codegen.judges.problem import (
+from turnbuckle.codegen.judges.motion import direction_gain, touching
+from turnbuckle.codegen.judges.problem import (
     GIVES_UP,
     ROUNDINGS,
     Bools,
@@ -18,11 +18,11 @@ from codegen.judges.problem import (
     statuses,
     union,
 )
-from codegen.judges.tensions import Bounded, bounded, rank
-from model.reference import kinematics, quality
-from model.reference.planar import minors
-from model.symbolic.function import Status
-from model.symbolic.tension import UNROLLED_REDUNDANCY
+from turnbuckle.codegen.judges.tensions import Bounded, bounded, rank
+from turnbuckle.model.reference import kinematics, quality
+from turnbuckle.model.reference.planar import minors
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.tension import UNROLLED_REDUNDANCY
 
 
 def zero_wrench(p: Problem) -> Bounded:

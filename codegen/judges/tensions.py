@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from codegen.judges.conditioning import (
+from turnbuckle.codegen.judges.conditioning import (
     NOTHING,
     least_pivot,
     narrowest,
     smallest_singular_value,
 )
-from codegen.judges.problem import (
+from turnbuckle.codegen.judges.problem import (
     ROUNDINGS,
     Bools,
     Expected,
@@ -21,15 +21,15 @@ from codegen.judges.problem import (
     levers,
     statuses,
 )
-from model.machine import Machine
-from model.reference import tension
-from model.reference.arrays import norm
-from model.reference.planar import minors
-from model.reference.wrench_set import by_slabs, slabs
-from model.symbolic import rank as limits
-from model.symbolic.function import Status
-from model.symbolic.nearest_wrench import BEYOND
-from model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import tension
+from turnbuckle.model.reference.arrays import norm
+from turnbuckle.model.reference.planar import minors
+from turnbuckle.model.reference.wrench_set import by_slabs, slabs
+from turnbuckle.model.symbolic import rank as limits
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.nearest_wrench import BEYOND
+from turnbuckle.model.symbolic.tension import INWARDS, KKT_TOLERANCE, LARGEST_MISS
 
 Judge = Callable[[Problem], Expected]
 

@@ -5,18 +5,18 @@ from pathlib import Path
 
 import numpy as np
 
-from codegen.folder import refuse_foreign, write_folder
-from lab.analysis.figures import Findings
-from lab.analysis.plots import AnyPanel, Mark, Outline, Quantity, draw
-from lab.analysis.quantities import lag_quantity, quantities
-from lab.analysis.report import MANIFEST, REPORT, as_json, as_markdown
-from lab.analysis.slices import lag_panels, panels
-from model.machine import Machine
-from model.workspace.extent import workspace_extent
-from model.workspace.inscribed import Inscribed
-from model.workspace.rows import Array
-from model.workspace.summary import fine_grid, summarise_target
-from model.workspace.words import pose_in_words
+from turnbuckle.codegen.folder import refuse_foreign, write_folder
+from turnbuckle.lab.analysis.figures import Findings
+from turnbuckle.lab.analysis.plots import AnyPanel, Mark, Outline, Quantity, draw
+from turnbuckle.lab.analysis.quantities import lag_quantity, quantities
+from turnbuckle.lab.analysis.report import MANIFEST, REPORT, as_json, as_markdown
+from turnbuckle.lab.analysis.slices import lag_panels, panels
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.extent import workspace_extent
+from turnbuckle.model.workspace.inscribed import Inscribed
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.summary import fine_grid, summarise_target
+from turnbuckle.model.workspace.words import pose_in_words
 
 Progress = Callable[[str, float], None]
 

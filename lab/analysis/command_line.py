@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from model.terminal import FAILED_CHECK, MachineFile, progress
+from turnbuckle.model.terminal import FAILED_CHECK, MachineFile, progress
 
 
 def as_length(millimetres: float) -> float:
@@ -51,11 +51,11 @@ def analyze(
     Example:
       turnbuckle analyze machines/yoon2023.toml --out analysis --lag 10
     """
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     machine = load_machine(file)  # a mistake is told before the slow imports
-    from lab.analysis.analyze import analyze as look_at
-    from lab.analysis.report import rows, verdict
+    from turnbuckle.lab.analysis.analyze import analyze as look_at
+    from turnbuckle.lab.analysis.report import rows, verdict
 
     folder = out or Path("build/analysis") / machine.name
     with progress() as tell:
@@ -86,10 +86,10 @@ def compare(
     Example:
       turnbuckle compare machines/yoon_fixed_diagonal.toml machines/yoon2023.toml
     """
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     machines = load_machine(file), load_machine(other)
-    from lab.analysis.compare import compare as put_side_by_side
+    from turnbuckle.lab.analysis.compare import compare as put_side_by_side
 
     with progress() as tell:
         comparison = put_side_by_side(machines, out, lag / 1e3, tell)

@@ -7,15 +7,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from codegen.folder import refuse_foreign, write_folder
-from lab.analysis.analyze import find
-from lab.analysis.figures import Figure, Findings, figures
-from lab.analysis.plots import draw, span_of
-from lab.analysis.quantities import quantities
-from lab.analysis.report import REPORT, or_null, rows, table, verdict
-from lab.analysis.slices import panels
-from model.machine import Machine
-from model.problem import key_path, shown
+from turnbuckle.codegen.folder import refuse_foreign, write_folder
+from turnbuckle.lab.analysis.analyze import find
+from turnbuckle.lab.analysis.figures import Figure, Findings, figures
+from turnbuckle.lab.analysis.plots import draw, span_of
+from turnbuckle.lab.analysis.quantities import quantities
+from turnbuckle.lab.analysis.report import REPORT, or_null, rows, table, verdict
+from turnbuckle.lab.analysis.slices import panels
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import key_path, shown
 
 MANIFEST = "comparison.json"
 MAPS = 3  # the most useful ones

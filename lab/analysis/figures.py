@@ -4,10 +4,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite, nan
 
-from model.machine import Machine
-from model.workspace.extent import Extent
-from model.workspace.summary import TargetSummary
-from model.workspace.words import demand_in_words, percent
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.extent import Extent
+from turnbuckle.model.workspace.summary import TargetSummary
+from turnbuckle.model.workspace.words import demand_in_words, percent
 
 
 @dataclass(frozen=True)

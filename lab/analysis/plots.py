@@ -18,12 +18,12 @@ from matplotlib.patches import Patch, Polygon, Rectangle
 from matplotlib.patheffects import AbstractPathEffect, withStroke
 from matplotlib.ticker import MaxNLocator
 
-from lab.analysis.slices import AXES, LagPanel, Panel, Slice
-from lab.plots import FAINT, INK, MM, STYLE
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.reference.kinematics import base_points
-from model.workspace.rows import Array
+from turnbuckle.lab.analysis.slices import AXES, LagPanel, Panel, Slice
+from turnbuckle.lab.plots import FAINT, INK, MM, STYLE
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.reference.kinematics import base_points
+from turnbuckle.model.workspace.rows import Array
 
 DPI = 200
 WIDTH, PANEL_WIDTH, MARGIN = 6.3, 3.4, 1.3  # inches: of one map, of one of many; for bar and legend

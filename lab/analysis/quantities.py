@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from lab.analysis.plots import Quantity
-from lab.analysis.slices import LagPanel, Panel
-from model.machine import Machine
-from model.workspace.rows import Array
+from turnbuckle.lab.analysis.plots import Quantity
+from turnbuckle.lab.analysis.slices import LagPanel, Panel
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.rows import Array
 
 NOTHING = 1e-9  # of T_max: a force below this is rounding
 MOST_TORQUE = 2.0  # of the motor's limit: more is shown as this much

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Any
 
-from lab.analysis.figures import Findings, figures
-from lab.analysis.plots import Quantity
-from model.workspace.words import (
+from turnbuckle.lab.analysis.figures import Findings, figures
+from turnbuckle.lab.analysis.plots import Quantity
+from turnbuckle.model.workspace.words import (
     coverage_in_words,
     demand_in_words,
     motors_in_words,

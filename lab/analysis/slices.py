@@ -7,12 +7,12 @@ from itertools import combinations
 
 import numpy as np
 
-from model.machine import Machine
-from model.workspace.bases import lagging_force
-from model.workspace.grid import target_grid
-from model.workspace.quality import PoseQuality, pose_quality
-from model.workspace.rows import Array
-from model.workspace.summary import wanted_turns
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.bases import lagging_force
+from turnbuckle.model.workspace.grid import target_grid
+from turnbuckle.model.workspace.quality import PoseQuality, pose_quality
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.summary import wanted_turns
 
 Progress = Callable[[str, float], None]
 

@@ -2,17 +2,17 @@
 
 from rich.console import Console
 
-from lab.benchmark.cortex_m4.comparison import count_instructions
-from lab.benchmark.cycle.cost import cycle_costs
-from lab.benchmark.map.comparison import compare_maps
-from lab.benchmark.native import ROOT
-from lab.benchmark.report import Results, show, write_json
-from lab.benchmark.step.comparison import compare_steps
-from lab.benchmark.table1 import compare_table1
-from lab.benchmark.targets import targets
-from lab.benchmark.tension import all_solvers, compare
-from lab.benchmark.tension_problems import tension_problems
-from model.machine import load_machine
+from turnbuckle.lab.benchmark.cortex_m4.comparison import count_instructions
+from turnbuckle.lab.benchmark.cycle.cost import cycle_costs
+from turnbuckle.lab.benchmark.map.comparison import compare_maps
+from turnbuckle.lab.benchmark.native import ROOT
+from turnbuckle.lab.benchmark.report import Results, show, write_json
+from turnbuckle.lab.benchmark.step.comparison import compare_steps
+from turnbuckle.lab.benchmark.table1 import compare_table1
+from turnbuckle.lab.benchmark.targets import targets
+from turnbuckle.lab.benchmark.tension import all_solvers, compare
+from turnbuckle.lab.benchmark.tension_problems import tension_problems
+from turnbuckle.model.machine import load_machine
 
 MACHINE, SQUARE = "yoon2023", "brau_square"
 SEED = 20231

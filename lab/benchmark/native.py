@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory, mkdtemp
 
-from codegen.compile import FLAGS, GCC_FLAGS
+from turnbuckle.codegen.compile import FLAGS, GCC_FLAGS
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 #: Where this run builds; gone when it ends, so that runs side by side do not meet.
 FOLDER = TemporaryDirectory(prefix="turnbuckle-benchmark-")
 BUILD = Path(FOLDER.name)

@@ -9,14 +9,14 @@ from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
-from lab.benchmark.cortex_m4.comparison import CountRow
-from lab.benchmark.cycle.cost import CycleRow
-from lab.benchmark.map.comparison import MapRow, MapTable
-from lab.benchmark.solvers.turnbuckle import OURS
-from lab.benchmark.step.comparison import StepRow
-from lab.benchmark.table1 import Table1
-from lab.benchmark.targets import Target
-from lab.benchmark.tension import Row, TensionTable
+from turnbuckle.lab.benchmark.cortex_m4.comparison import CountRow
+from turnbuckle.lab.benchmark.cycle.cost import CycleRow
+from turnbuckle.lab.benchmark.map.comparison import MapRow, MapTable
+from turnbuckle.lab.benchmark.solvers.turnbuckle import OURS
+from turnbuckle.lab.benchmark.step.comparison import StepRow
+from turnbuckle.lab.benchmark.table1 import Table1
+from turnbuckle.lab.benchmark.targets import Target
+from turnbuckle.lab.benchmark.tension import Row, TensionTable
 
 COUNTED = (
     "turnbuckle: bounds, status and self-check included; CasADi as documented: casadi_real=float;"

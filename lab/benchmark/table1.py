@@ -9,19 +9,19 @@ from pathlib import Path
 
 import numpy as np
 
-from codegen.accuracy import Accuracy
-from codegen.bind import folder_of
-from codegen.composite import Item
-from codegen.generate import Model, composed, lowered, render
-from lab.benchmark.solvers.kernel import DAQP, QUADPROG, kernel_daqp, kernel_quadprog
-from lab.benchmark.solvers.reduced import REDUCED, reduced
-from lab.benchmark.solvers.solver import Solver
-from lab.benchmark.solvers.turnbuckle import OURS, turnbuckle
-from lab.benchmark.tension import TensionTable, compare
-from lab.benchmark.tension_problems import Reals, TensionProblems
-from model.machine import Machine
-from model.reference import kinematics
-from model.symbolic import comparison, tension
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.bind import folder_of
+from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.generate import Model, composed, lowered, render
+from turnbuckle.lab.benchmark.solvers.kernel import DAQP, QUADPROG, kernel_daqp, kernel_quadprog
+from turnbuckle.lab.benchmark.solvers.reduced import REDUCED, reduced
+from turnbuckle.lab.benchmark.solvers.solver import Solver
+from turnbuckle.lab.benchmark.solvers.turnbuckle import OURS, turnbuckle
+from turnbuckle.lab.benchmark.tension import TensionTable, compare
+from turnbuckle.lab.benchmark.tension_problems import Reals, TensionProblems
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import kinematics
+from turnbuckle.model.symbolic import comparison, tension
 
 POINTS, DIRECTIONS = (15, 16), 15
 FORCE = 10.0  # N, of the paper's Figs 4 and 5

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import geometric_mean
 
-from lab.benchmark.cycle.cost import CycleRow
-from lab.benchmark.map.comparison import LARGE, LOOP, NUMPY, MapTable
-from lab.benchmark.step.comparison import StepRow
-from lab.benchmark.table1 import Table1
-from lab.benchmark.tension import TensionTable
+from turnbuckle.lab.benchmark.cycle.cost import CycleRow
+from turnbuckle.lab.benchmark.map.comparison import LARGE, LOOP, NUMPY, MapTable
+from turnbuckle.lab.benchmark.step.comparison import StepRow
+from turnbuckle.lab.benchmark.table1 import Table1
+from turnbuckle.lab.benchmark.tension import TensionTable
 
 
 @dataclass(frozen=True)

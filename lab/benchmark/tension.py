@@ -7,16 +7,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lab.benchmark.solvers.daqp import daqp
-from lab.benchmark.solvers.osqp import osqp
-from lab.benchmark.solvers.qrqp import qrqp
-from lab.benchmark.solvers.quadprog import QUADPROG
-from lab.benchmark.solvers.solver import Answers, Solver
-from lab.benchmark.solvers.turnbuckle import turnbuckle
-from lab.benchmark.tension_problems import Reals, TensionProblems
-from lab.benchmark.timing import Timing, time_in_turn
-from model.machine import Machine
-from model.reference.tension import minimum_norm_tension, wrench_feasible
+from turnbuckle.lab.benchmark.solvers.daqp import daqp
+from turnbuckle.lab.benchmark.solvers.osqp import osqp
+from turnbuckle.lab.benchmark.solvers.qrqp import qrqp
+from turnbuckle.lab.benchmark.solvers.quadprog import QUADPROG
+from turnbuckle.lab.benchmark.solvers.solver import Answers, Solver
+from turnbuckle.lab.benchmark.solvers.turnbuckle import turnbuckle
+from turnbuckle.lab.benchmark.tension_problems import Reals, TensionProblems
+from turnbuckle.lab.benchmark.timing import Timing, time_in_turn
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.tension import minimum_norm_tension, wrench_feasible
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.machine import Machine
-from model.reference import kinematics
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import kinematics
 
 Reals = NDArray[np.float64]
 

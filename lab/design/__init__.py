@@ -1,6 +1,6 @@
 """Design search: which values of a machine file's keys make the best machine."""
 
-from model.refusal import Refusal
+from turnbuckle.model.refusal import Refusal
 
 
 class DesignError(Refusal):

@@ -11,12 +11,12 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from model.terminal import INTERRUPTED, NOTHING_BETTER, MachineFile, fail, progress
+from turnbuckle.model.terminal import INTERRUPTED, NOTHING_BETTER, MachineFile, fail, progress
 
 if TYPE_CHECKING:
-    from lab.design.design import Design
-    from lab.design.improve import Improvement
-    from lab.design.results import Results
+    from turnbuckle.lab.design.design import Design
+    from turnbuckle.lab.design.improve import Improvement
+    from turnbuckle.lab.design.results import Results
 
 Vary = Annotated[
     list[str],
@@ -73,7 +73,7 @@ def optimise(
     refuse_count(design)
     refuse_existing(path, force)
     found, tried = improved(design, search, seed)
-    from lab.design.files import write_whole
+    from turnbuckle.lab.design.files import write_whole
 
     write_whole(path, found.text)
     show_improvement(design, found)
@@ -82,10 +82,10 @@ def optimise(
 
 def question(file: Path, vary: list[str], goal: str) -> Design:
     """What is asked of which machine."""
-    from model.machine import load_machine
+    from turnbuckle.model.machine import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
-    from lab.design.design import Design
+    from turnbuckle.lab.design.design import Design
 
     return Design.read(file, vary, goal)
 
@@ -106,8 +106,8 @@ def refuse_existing(path: Path, force: bool) -> None:
 
 def improved(design: Design, method: str, seed: int) -> tuple[Improvement, int]:
     """A better machine, and how many were tried; ends with a status of its own where none is."""
-    from lab.design.improve import NoImprovement, improvement
-    from lab.design.search import search
+    from turnbuckle.lab.design.improve import NoImprovement, improvement
+    from turnbuckle.lab.design.search import search
 
     with progress() as tell:
         trials = search(design, method, seed, tell)
@@ -119,7 +119,7 @@ def improved(design: Design, method: str, seed: int) -> tuple[Improvement, int]:
 
 def show_improvement(design: Design, found: Improvement) -> None:
     """What changed in the file, and what that did."""
-    from model.problem import key_path
+    from turnbuckle.model.problem import key_path
 
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading in ("", "before", "after"):
@@ -174,8 +174,8 @@ def study(
         --vary "tension.max=8 N..11 N:4" --vary "tension.min=1 N..3 N:3"
     """
     design = question(file, vary, goal)
-    from lab.design.results import Results
-    from lab.design.study import plan_study, run_study
+    from turnbuckle.lab.design.results import Results
+    from turnbuckle.lab.design.study import plan_study, run_study
 
     points, plan = plan_study(design, samples, seed)
     with closing(Results(out, design, plan)) as results:
@@ -189,8 +189,8 @@ def study(
 
 def conclude_study(design: Design, results: Results) -> None:
     """Say what was found, and write the best machine."""
-    from lab.design.files import write_whole
-    from lab.design.improve import NoImprovement, improvement
+    from turnbuckle.lab.design.files import write_whole
+    from turnbuckle.lab.design.improve import NoImprovement, improvement
 
     refused = sum(kept.outcome.score is None for kept in results.kept.values())
     typer.echo(f"{results.folder}: {len(results.kept)} machines judged, {refused} cannot be")

@@ -8,12 +8,12 @@ from decimal import Decimal
 from pathlib import Path
 from typing import NamedTuple
 
-from lab.design.document import Changes, Document
-from lab.design.goal import Goal, IsotropicForce, Score
-from lab.design.motor import motor_goal
-from lab.design.vary import Range, parse_ranges
-from model.machine import Machine, MachineError
-from model.workspace.rows import Array
+from turnbuckle.lab.design.document import Changes, Document
+from turnbuckle.lab.design.goal import Goal, IsotropicForce, Score
+from turnbuckle.lab.design.motor import motor_goal
+from turnbuckle.lab.design.vary import Range, parse_ranges
+from turnbuckle.model.machine import Machine, MachineError
+from turnbuckle.model.workspace.rows import Array
 
 Values = tuple[Decimal, ...]
 """A value for every range, in the file's unit."""

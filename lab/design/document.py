@@ -18,9 +18,9 @@ import tomlkit
 from tomlkit.container import OutOfOrderTableProxy
 from tomlkit.items import AoT, Item, Table
 
-from model.machine import Machine, load_machine, machine_from
-from model.problem import key_path
-from model.quantity import QUANTITY
+from turnbuckle.model.machine import Machine, load_machine, machine_from
+from turnbuckle.model.problem import key_path
+from turnbuckle.model.quantity import QUANTITY
 
 Location = tuple[str | int, ...]
 Changes = Mapping[Location, str]

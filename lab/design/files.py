@@ -5,7 +5,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from lab.design import DesignError
+from turnbuckle.lab.design import DesignError
 
 
 def write_whole(path: Path, text: str) -> None:

@@ -6,10 +6,10 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from lab.design.document import Changes
-from lab.design.target import isotropic_force
-from model.machine import Machine
-from model.workspace.rows import Array
+from turnbuckle.lab.design.document import Changes
+from turnbuckle.lab.design.target import isotropic_force
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.rows import Array
 
 
 class Score(NamedTuple):

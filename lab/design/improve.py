@@ -3,11 +3,11 @@
 import tomllib
 from dataclasses import dataclass
 
-from lab.design import DesignError
-from lab.design.design import Design, Outcome
-from lab.design.document import Changes
-from lab.design.goal import Score
-from model.machine import machine_from
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design, Outcome
+from turnbuckle.lab.design.document import Changes
+from turnbuckle.lab.design.goal import Score
+from turnbuckle.model.machine import machine_from
 
 BETTER = 1e-6
 """A gain below this share of the merit is none: values have few digits."""

@@ -6,15 +6,15 @@ from decimal import ROUND_CEILING, Context, Decimal
 
 import numpy as np
 
-from lab.design import DesignError
-from lab.design.document import Changes, Document, Location
-from lab.design.goal import Goal, Score
-from lab.design.target import needed_tension
-from lab.design.vary import Range, in_words
-from model.machine import Machine
-from model.problem import Problem
-from model.quantity import LARGEST, Quantity
-from model.workspace.rows import Array
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.document import Changes, Document, Location
+from turnbuckle.lab.design.goal import Goal, Score
+from turnbuckle.lab.design.target import needed_tension
+from turnbuckle.lab.design.vary import Range, in_words
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import Problem
+from turnbuckle.model.quantity import LARGEST, Quantity
+from turnbuckle.model.workspace.rows import Array
 
 TENSION: Location = ("tension", "max")
 TORQUE: Location = ("cable_motor", "torque_limit")

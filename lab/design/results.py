@@ -14,11 +14,11 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from lab.design import DesignError
-from lab.design.design import Design, Outcome
-from lab.design.files import Lines, write_whole
-from lab.design.goal import Score
-from model.problem import key_path
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design, Outcome
+from turnbuckle.lab.design.files import Lines, write_whole
+from turnbuckle.lab.design.goal import Score
+from turnbuckle.model.problem import key_path
 
 QUESTION, RESULTS = "study.json", "results.csv"
 

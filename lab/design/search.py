@@ -12,11 +12,11 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import Bounds, OptimizeResult, differential_evolution, minimize
 
-from lab.design import DesignError
-from lab.design.design import Design, Outcome, Values
-from model.machine import MachineError
-from model.workspace.maximin import climb
-from model.workspace.rows import Array
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design, Outcome, Values
+from turnbuckle.model.machine import MachineError
+from turnbuckle.model.workspace.maximin import climb
+from turnbuckle.model.workspace.rows import Array
 
 Shares = npt.NDArray[np.float64]
 """A place in the search: for every range the share of it, from 0 to 1."""

@@ -19,12 +19,12 @@ from distributed.comm import CommClosedError
 from distributed.utils import silence_logging_cmgr
 from scipy.stats import qmc
 
-from lab.design import DesignError
-from lab.design.design import Design, Values
-from lab.design.results import Kept, Results
-from lab.design.search import Shares, Tell
-from lab.design.vary import Range
-from model.problem import Problem
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design, Values
+from turnbuckle.lab.design.results import Kept, Results
+from turnbuckle.lab.design.search import Shares, Tell
+from turnbuckle.lab.design.vary import Range
+from turnbuckle.model.problem import Problem
 
 MOST_POINTS = 1_000_000
 """A study of more machines is a slip of the pen."""

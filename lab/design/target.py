@@ -6,13 +6,13 @@ is at its target for the pose.
 
 import numpy as np
 
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.workspace import max_tension
-from model.workspace.force import isotropic_limits
-from model.workspace.grid import target_grid
-from model.workspace.rows import Array
-from model.workspace.structures import structures, target_demand
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace import max_tension
+from turnbuckle.model.workspace.force import isotropic_limits
+from turnbuckle.model.workspace.grid import target_grid
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.structures import structures, target_demand
 
 POSES_PER_SIDE = {"planar-point": 21, "planar-rigid": 21, "spatial-point": 9, "spatial-rigid": 5}
 """So that a machine takes milliseconds; some 0.1 s where it turns in space."""

@@ -11,10 +11,10 @@ from decimal import Context, Decimal, localcontext
 
 from pydantic_core import PydanticCustomError
 
-from lab.design import DesignError
-from lab.design.document import Changes, Document, Location, Written, as_written
-from model.problem import Problem, nearest, shown
-from model.quantity import Quantity
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.document import Changes, Document, Location, Written, as_written
+from turnbuckle.model.problem import Problem, nearest, shown
+from turnbuckle.model.quantity import Quantity
 
 FORM = re.compile(r"(?P<keys>[^=]+)=(?P<low>.+?)\.\.(?P<high>[^:]+)(?::(?P<count>.*))?")
 FORM_IN_WORDS = 'KEY=LOW..HIGH, such as "tension.max=8 N..15 N"'

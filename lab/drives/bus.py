@@ -8,10 +8,10 @@ from math import inf
 from random import Random
 from typing import NamedTuple
 
-from lab.drives.drive import SYNC, Drive
-from lab.drives.node import Frame
-from lab.drives.setup import Setup
-from lab.drives.wire import Wire, is_cyclic, phase_of
+from turnbuckle.lab.drives.drive import SYNC, Drive
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.setup import Setup
+from turnbuckle.lab.drives.wire import Wire, is_cyclic, phase_of
 
 ROUNDING = 1e-9
 """By which a sum of frames may miss a time [s]."""

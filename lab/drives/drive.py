@@ -12,13 +12,13 @@ from struct import Struct
 
 from canopen.sdo.exceptions import SdoAbortedError
 
-from lab.drives import errors, pdo
-from lab.drives.node import NOT_ALLOWED, WRONG_STATE, Frame, Objects, SdoNode, Send
-from lab.drives.objects import HISTORY, Entry, Key
-from lab.drives.pdo import SYNCHRONOUS, ProcessData, ReceivePdo
-from lab.drives.power import Power
-from lab.drives.servo import Servo
-from lab.drives.setup import Setup
+from turnbuckle.lab.drives import errors, pdo
+from turnbuckle.lab.drives.node import NOT_ALLOWED, WRONG_STATE, Frame, Objects, SdoNode, Send
+from turnbuckle.lab.drives.objects import HISTORY, Entry, Key
+from turnbuckle.lab.drives.pdo import SYNCHRONOUS, ProcessData, ReceivePdo
+from turnbuckle.lab.drives.power import Power
+from turnbuckle.lab.drives.servo import Servo
+from turnbuckle.lab.drives.setup import Setup
 
 SYNC = 0x080
 EMERGENCY = 0x080

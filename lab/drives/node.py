@@ -7,7 +7,7 @@ import canopen
 from canopen.sdo.exceptions import SdoAbortedError
 from canopen.sdo.server import SdoServer
 
-from lab.drives.objects import Entry, Key, Signals, entries, indices, object_dictionary
+from turnbuckle.lab.drives.objects import Entry, Key, Signals, entries, indices, object_dictionary
 
 
 class Frame(NamedTuple):

@@ -10,8 +10,8 @@ from struct import Struct
 
 from canopen.sdo.exceptions import SdoAbortedError
 
-from lab.drives.node import NO_OBJECT, NO_SUBINDEX, NOT_ALLOWED, Frame, Objects
-from lab.drives.objects import MAPPED, PDOS, Entry, Key, entries, indices
+from turnbuckle.lab.drives.node import NO_OBJECT, NO_SUBINDEX, NOT_ALLOWED, Frame, Objects
+from turnbuckle.lab.drives.objects import MAPPED, PDOS, Entry, Key, entries, indices
 
 INVALID = 1 << 31
 NO_RTR = 1 << 30

@@ -12,8 +12,8 @@ from typing import Protocol
 
 import can
 
-from lab.drives.bus import SimulatedBus
-from lab.drives.node import Frame
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.node import Frame
 
 CATCH_UP = 20
 """Cycles that are made up for at once; what is missing beyond them is given up."""

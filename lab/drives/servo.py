@@ -3,9 +3,9 @@
 Knows nothing of the bus. Errors come in by `react`; what has to be told about them is drive.py's.
 """
 
-from lab.drives import errors
-from lab.drives.errors import Reaction
-from lab.drives.motion import (
+from turnbuckle.lab.drives import errors
+from turnbuckle.lab.drives.errors import Reaction
+from turnbuckle.lab.drives.motion import (
     RPM,
     Encoder,
     Homing,
@@ -15,10 +15,10 @@ from lab.drives.motion import (
     Run,
     clip,
 )
-from lab.drives.node import Objects
-from lab.drives.objects import HOMING, POSITION, TORQUE
-from lab.drives.power import FAULT_RESET, MOVING, Command, Power, command, follow
-from lab.drives.setup import Ratings
+from turnbuckle.lab.drives.node import Objects
+from turnbuckle.lab.drives.objects import HOMING, POSITION, TORQUE
+from turnbuckle.lab.drives.power import FAULT_RESET, MOVING, Command, Power, command, follow
+from turnbuckle.lab.drives.setup import Ratings
 
 START_HOMING = 0x10
 VOLTAGE, WARNING, REMOTE, LIMITED, FOLLOWS, REFERENCED = (1 << bit for bit in (4, 7, 9, 11, 12, 15))

@@ -14,9 +14,9 @@ from typing import Protocol
 
 import can
 
-from lab.drives.bus import SYNC, SimulatedBus
-from lab.drives.node import Frame
-from lab.drives.runner import is_for_drives
+from turnbuckle.lab.drives.bus import SYNC, SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.runner import is_for_drives
 
 POLL = 0.02
 """Seconds of the computer's time between two looks at what does not wake us."""

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from functools import cache
 from random import Random
 
-from lab.drives.node import Frame
-from model.bus.frames import HEARTBEAT, RPDO, SDO_ANSWER, SYNC, TPDO
-from model.bus.response import ERROR_BITS, frame_bits
-from model.machine import Machine
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.model.bus.frames import HEARTBEAT, RPDO, SDO_ANSWER, SYNC, TPDO
+from turnbuckle.model.bus.response import ERROR_BITS, frame_bits
+from turnbuckle.model.machine import Machine
 
 FUNCTION = 0x780
 """Bits of an identifier that tell what a frame is; the rest is the node."""

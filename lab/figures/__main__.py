@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-from lab.figures import brau, yoon
-from lab.figures.findings import Drawn, Finding
-from lab.figures.table1 import table1
-from model.machine import Machine, load_machine
+from turnbuckle.lab.figures import brau, yoon
+from turnbuckle.lab.figures.findings import Drawn, Finding
+from turnbuckle.lab.figures.table1 import table1
+from turnbuckle.model.machine import Machine, load_machine
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "figures.md"
 HEAD = """# The papers' figures, made again
 

@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle, Polygon
 
-from lab.figures.drawing import (
+from turnbuckle.lab.figures.drawing import (
     BOUNDARY,
     CAPABLE,
     INCAPABLE,
@@ -16,18 +16,18 @@ from lab.figures.drawing import (
     plane_map,
     set_millimetres,
 )
-from lab.figures.findings import Drawn, Finding
-from model.machine import Machine
-from model.workspace.feasible import wrench_closure
-from model.workspace.force import isotropic_force
-from model.workspace.max_tension import (
+from turnbuckle.lab.figures.findings import Drawn, Finding
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.feasible import wrench_closure
+from turnbuckle.model.workspace.force import isotropic_force
+from turnbuckle.model.workspace.max_tension import (
     max_tension_adjacent,
     max_tension_eq12,
     max_tension_eq17,
 )
-from model.workspace.rows import Array
-from model.workspace.structures import structures
-from model.workspace.tension_capable import (
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.structures import structures
+from turnbuckle.model.workspace.tension_capable import (
     CapableRegion,
     capable_ratio_eq23,
     capable_region,

@@ -10,10 +10,10 @@ from matplotlib import colormaps, rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from lab.plots import STYLE
-from model.workspace.rows import Array
+from turnbuckle.lab.plots import STYLE
+from turnbuckle.model.workspace.rows import Array
 
-FOLDER = Path(__file__).parents[2] / "docs" / "figures"
+FOLDER = Path(__file__).parents[3] / "docs" / "figures"
 PULLEYS: dict[str, Any] = {
     "color": "#222222",
     "marker": "s",

@@ -1,12 +1,12 @@
 """Brau, Lallemand and Gosselin, Table 1: time of both methods and ours, published and measured."""
 
-from lab.benchmark.solvers.kernel import DAQP, QUADPROG
-from lab.benchmark.solvers.reduced import REDUCED
-from lab.benchmark.solvers.turnbuckle import OURS
-from lab.benchmark.table1 import Table1, compare_table1
-from lab.figures.drawing import picture
-from lab.figures.findings import Drawn, Finding
-from model.machine import Machine
+from turnbuckle.lab.benchmark.solvers.kernel import DAQP, QUADPROG
+from turnbuckle.lab.benchmark.solvers.reduced import REDUCED
+from turnbuckle.lab.benchmark.solvers.turnbuckle import OURS
+from turnbuckle.lab.benchmark.table1 import Table1, compare_table1
+from turnbuckle.lab.figures.drawing import picture
+from turnbuckle.lab.figures.findings import Drawn, Finding
+from turnbuckle.model.machine import Machine
 
 #: ns a problem. The paper does not say whether it counts all 3600 problems together; they would
 #: then take 3.6 us and 0.16 us each, which no program of its time did.

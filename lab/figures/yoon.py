@@ -4,14 +4,14 @@ from functools import partial
 
 import numpy as np
 
-from lab.figures.drawing import PULLEYS, picture, plane_map, show_map
-from lab.figures.findings import Drawn, Finding
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.workspace.feasible import ball_margin, feasible
-from model.workspace.force import isotropic_force, isotropic_force_eq17, tension_factor
-from model.workspace.rows import Array
-from model.workspace.structures import structures
+from turnbuckle.lab.figures.drawing import PULLEYS, picture, plane_map, show_map
+from turnbuckle.lab.figures.findings import Drawn, Finding
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.feasible import ball_margin, feasible
+from turnbuckle.model.workspace.force import isotropic_force, isotropic_force_eq17, tension_factor
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.structures import structures
 
 #: Poses of a picture along x and y; the numbers are from the audited grid, borders included.
 PICTURE, AUDITED = (253, 142), (101, 57)

@@ -1,6 +1,6 @@
 """The flight recorder's files: read them, run them again, turn them into tables and pictures."""
 
-from model.refusal import Refusal
+from turnbuckle.model.refusal import Refusal
 
 
 class FlightError(Refusal):

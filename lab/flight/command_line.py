@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from model.terminal import FAILED_CHECK
+from turnbuckle.model.terminal import FAILED_CHECK
 
 Dump = Annotated[Path, typer.Argument(help="What the flight recorder wrote.", show_default=False)]
 OfMachine = Annotated[
@@ -29,8 +29,8 @@ def replay(dump: Dump, file: OfMachine = None) -> None:
     Example:
       turnbuckle replay flight.dump machines/yoon2023.toml
     """
-    from lab.flight.recording import read_recording
-    from lab.flight.replay import replay as run_again
+    from turnbuckle.lab.flight.recording import read_recording
+    from turnbuckle.lab.flight.replay import replay as run_again
 
     recording = read_recording(dump, file)
     found = run_again(recording)
@@ -68,14 +68,14 @@ def log(
     Example:
       turnbuckle log flight.dump --out flight.parquet --plot flight.png
     """
-    from lab.flight.recording import read_recording
-    from lab.flight.table import write_table
+    from turnbuckle.lab.flight.recording import read_recording
+    from turnbuckle.lab.flight.table import write_table
 
     recording = read_recording(dump, file)
     write_table(recording, out)
     typer.echo(f"{out}: {len(recording.numbers)} cycles")
     if plot is not None:
-        from lab.flight.picture import draw
+        from turnbuckle.lab.flight.picture import draw
 
         draw(recording, plot)
         typer.echo(f"picture: {plot}")

@@ -10,10 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from lab.flight.recording import Recording
-from lab.flight.table import SUPERVISOR, along, in_words, times
-from lab.flight.words import words
-from lab.plots import CABLES, FAINT, INK, MM, STYLE
+from turnbuckle.lab.flight.recording import Recording
+from turnbuckle.lab.flight.table import SUPERVISOR, along, in_words, times
+from turnbuckle.lab.flight.words import words
+from turnbuckle.lab.plots import CABLES, FAINT, INK, MM, STYLE
 
 DASHES: list[Any] = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1))]
 PAPER: dict[Any, Any] = STYLE | {

@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.bind import REALS
-from codegen.controller import layouts
-from lab.flight import FlightError
-from model.machine import Machine, load_machine
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.codegen.controller import layouts
+from turnbuckle.lab.flight import FlightError
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.places import MACHINES
 
 Layout = np.dtype[np.void]
 Records = NDArray[np.void]
@@ -48,9 +49,9 @@ HEADER: Layout = np.dtype(
         ("hash", "S64"),
     ]
 )
+
 END: Layout = np.dtype([("magic", "S8"), ("checksum", np.uint32), ("reserved", np.uint32)])
 SEGMENT: Layout = np.dtype([("first", np.uint64), ("count", np.uint32), ("reserved", np.uint32)])
-MACHINES = Path(__file__).parents[2] / "machines"
 
 
 @dataclass(frozen=True)

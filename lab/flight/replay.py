@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.accuracy_cache import measured_accuracy
-from codegen.bind import folder_of, pointer
-from codegen.compile import compile_library
-from codegen.controller import RUNTIME_CORE
-from codegen.generate import build_model, machine_hash, render
-from lab.flight import FlightError
-from lab.flight.recording import Recording, Records, Segment
+from turnbuckle.codegen.accuracy_cache import measured_accuracy
+from turnbuckle.codegen.bind import folder_of, pointer
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.codegen.controller import RUNTIME_CORE
+from turnbuckle.codegen.generate import build_model, machine_hash, render
+from turnbuckle.lab.flight import FlightError
+from turnbuckle.lab.flight.recording import Recording, Records, Segment
 
 SHIM = Path(__file__).parent / "replay_shim.c"
 #: Topics of a machine's C that no running program calls.

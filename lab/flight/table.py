@@ -9,12 +9,12 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from pyarrow import csv, parquet
 
-from lab.flight import FlightError
-from lab.flight.recording import Recording
-from lab.flight.words import words
-from model.bus.axis import drive_names
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.lab.flight import FlightError
+from turnbuckle.lab.flight.recording import Recording
+from turnbuckle.lab.flight.words import words
+from turnbuckle.model.bus.axis import drive_names
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 Column = NDArray[Any]
 Columns = Iterator[tuple[str, Column]]

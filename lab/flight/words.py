@@ -3,9 +3,8 @@
 import re
 from functools import cache
 from itertools import takewhile
-from pathlib import Path
 
-RUNTIME = Path(__file__).parents[2] / "runtime"
+from turnbuckle.places import RUNTIME
 
 
 @cache

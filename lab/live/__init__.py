@@ -1,6 +1,6 @@
 """The real machine, live: run its program, watch it, send it requests."""
 
-from model.refusal import Refusal
+from turnbuckle.model.refusal import Refusal
 
 
 class LiveError(Refusal):

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from model.terminal import MachineFile
+from turnbuckle.model.terminal import MachineFile
 
 if TYPE_CHECKING:
-    from lab.live.telemetry import Request
+    from turnbuckle.lab.live.telemetry import Request
 
 Telemetry = Annotated[
     Path | None,
@@ -105,8 +105,8 @@ def run(
       turnbuckle run machines/yoon2023.toml --bus cable1=slcan:/dev/ttyACM0 \\
         --bus cable2=slcan:/dev/ttyACM1 --bus base=socketcan:can0
     """
-    from lab.live.run import Order, Voices, run_machine
-    from model.machine import load_machine
+    from turnbuckle.lab.live.run import Order, Voices, run_machine
+    from turnbuckle.model.machine import load_machine
 
     refuse_contradictions(sim, bus, seconds)
     machine = load_machine(file)
@@ -171,7 +171,7 @@ def monitor(
     """
     from rich.console import Console
 
-    from lab.live.monitor import print_once, request, subject_of, watch
+    from turnbuckle.lab.live.monitor import print_once, request, subject_of, watch
 
     subject, console = subject_of(machine, telemetry), Console()
     wishes: dict[Request, bool] = {"arm": arm, "stop": stop, "reset": reset}

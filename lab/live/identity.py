@@ -3,9 +3,9 @@
 import subprocess
 from pathlib import Path
 
-from codegen.generate import build_model, machine_hash
-from lab.live import LiveError
-from model.machine import Machine
+from turnbuckle.codegen.generate import build_model, machine_hash
+from turnbuckle.lab.live import LiveError
+from turnbuckle.model.machine import Machine
 
 
 def hash_of(machine: Machine) -> str:

@@ -15,11 +15,11 @@ from rich.console import Console, Group, RenderableType
 from rich.live import Live
 from rich.text import Text
 
-from lab.live import LiveError
-from lab.live.identity import hash_of
-from lab.live.telemetry import Request, Telemetry, default_path, running
-from lab.live.view import Reading, show
-from model.machine import Machine, load_machine
+from turnbuckle.lab.live import LiveError
+from turnbuckle.lab.live.identity import hash_of
+from turnbuckle.lab.live.telemetry import Request, Telemetry, default_path, running
+from turnbuckle.lab.live.view import Reading, show
+from turnbuckle.model.machine import Machine, load_machine
 
 REFRESH = 0.2
 """Seconds between two pictures."""

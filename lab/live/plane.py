@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from rich.text import Text
 
-from model.machine import Machine
-from model.reference.kinematics import base_points
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.kinematics import base_points
 
 COLUMNS, LARGEST_ROWS = 48, 20
 ASPECT = 2.0

@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-from codegen.bind import generate_into_build
-from codegen.compile import compile_program
-from lab.live import LiveError
-from model.machine import Machine
+from turnbuckle.codegen.bind import generate_into_cache
+from turnbuckle.codegen.compile import compile_program
+from turnbuckle.lab.live import LiveError
+from turnbuckle.model.machine import Machine
+from turnbuckle.places import RUNTIME
 
-RUNTIME = Path(__file__).parents[2] / "runtime"
 FOLDERS = tuple(RUNTIME / name for name in ("core", "canopen", "can", "port/linux"))
 
 
@@ -21,7 +21,7 @@ def build_program(machine: Machine, precision: str = "double") -> Path:
             f"{machine.path}: bus: found none; allowed: at least one [[bus]] and a [[drive]] for"
             " every cable and rail, to run the machine"
         )
-    return compile_machine(generate_into_build(machine), precision)
+    return compile_machine(generate_into_cache(machine), precision)
 
 
 def compile_machine(folder: Path, precision: str = "double") -> Path:

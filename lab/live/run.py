@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from lab.live import LiveError
-from lab.live.identity import refuse_other
-from lab.live.program import build_program
-from lab.live.simulated import Bench, simulated_drives
-from lab.live.telemetry import Telemetry, default_path
-from lab.live.words import STATES, word
-from model.machine import Machine
+from turnbuckle.lab.live import LiveError
+from turnbuckle.lab.live.identity import refuse_other
+from turnbuckle.lab.live.program import build_program
+from turnbuckle.lab.live.simulated import Bench, simulated_drives
+from turnbuckle.lab.live.telemetry import Telemetry, default_path
+from turnbuckle.lab.live.words import STATES, word
+from turnbuckle.model.machine import Machine
 
 POLL = 0.05
 """Seconds between two looks at the telemetry."""
@@ -78,8 +78,8 @@ def run_machine(machine: Machine, order: Order, voices: Voices) -> int:
 
 def bench_of(machine: Machine) -> Bench:
     """What simulated drives simulate; MachineError for a machine that cannot be simulated."""
-    from codegen.bind import load
-    from lab.demo import plan_task, plant_of
+    from turnbuckle.codegen.bind import load
+    from turnbuckle.lab.demo import plan_task, plant_of
 
     if machine.plant is None and not machine.rails:
         return Bench(machine, None, None)

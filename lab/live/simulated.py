@@ -16,15 +16,15 @@ from typing import NamedTuple
 import can
 from can.interfaces.socketcan import SocketcanBus
 
-from lab.drives.simulated_clock import SimulatedClock
-from lab.drives.slcan_adapter import SlcanAdapter
-from lab.live import LiveError
-from lab.live.telemetry import Telemetry, running
-from lab.live.words import STATES
-from lab.lockstep import SWEEP
-from lab.machine_sim import SimulatedMachine
-from lab.task import Task
-from model.machine import Machine, Plant
+from turnbuckle.lab.drives.simulated_clock import SimulatedClock
+from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter
+from turnbuckle.lab.live import LiveError
+from turnbuckle.lab.live.telemetry import Telemetry, running
+from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import SWEEP
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.task import Task
+from turnbuckle.model.machine import Machine, Plant
 
 PATIENCE = 120
 """Seconds that the other process may take to begin."""

@@ -12,7 +12,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lab.live import LiveError, NothingYetError
+from turnbuckle.lab.live import LiveError, NothingYetError
 
 FOLDER = Path("/dev/shm")
 MAGIC, VERSION = b"TBTELEM\0", 2

@@ -9,10 +9,10 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from lab.live.plane import draw_plane, has_plane
-from lab.live.telemetry import Record, Telemetry, rates
-from lab.live.words import BUS_STATES, MODES, POWERS, SILENCES, STATES, TASKS, word
-from model.machine import Machine
+from turnbuckle.lab.live.plane import draw_plane, has_plane
+from turnbuckle.lab.live.telemetry import Record, Telemetry, rates
+from turnbuckle.lab.live.words import BUS_STATES, MODES, POWERS, SILENCES, STATES, TASKS, word
+from turnbuckle.model.machine import Machine
 
 BAR = 20
 """Characters of a bar."""

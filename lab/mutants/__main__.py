@@ -6,20 +6,20 @@ import sys
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from lab.mutants.draw import drawn
-from lab.mutants.kept import Verdicts
-from lab.mutants.mutation import Mutation
-from lab.mutants.report import REPORT, judge, report
-from lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
-from lab.mutants.suites import every_test
-from lab.mutants.trial import Verdict, prepare
+from turnbuckle.lab.mutants.draw import drawn
+from turnbuckle.lab.mutants.kept import Verdicts
+from turnbuckle.lab.mutants.mutation import Mutation
+from turnbuckle.lab.mutants.report import REPORT, judge, report
+from turnbuckle.lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
+from turnbuckle.lab.mutants.suites import every_test
+from turnbuckle.lab.mutants.trial import Verdict, prepare
 
 COUNT, SEED, PROCESSES = 220, 2026, 2
 
 
 def main() -> int:
     """Draw, try, write, judge."""
-    parser = argparse.ArgumentParser(prog="python -m lab.mutants", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m turnbuckle.lab.mutants", description=__doc__)
     parser.add_argument("--count", type=int, default=COUNT, help=f"of mutants [{COUNT}]")
     count = parser.parse_args().count
     console = Console(stderr=True)

@@ -5,8 +5,8 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from lab.mutants.mutation import Mutation, mutations
-from lab.mutants.objects import ROOT, Originals
+from turnbuckle.lab.mutants.mutation import Mutation, mutations
+from turnbuckle.lab.mutants.objects import ROOT, Originals
 
 RUNTIME = ROOT / "runtime"
 FOLDERS = ("core", "canopen")

@@ -5,11 +5,11 @@ import json
 from collections.abc import Iterable
 from pathlib import Path
 
-from lab.mutants.draw import sources
-from lab.mutants.mutation import Mutation
-from lab.mutants.objects import ROOT
-from lab.mutants.suites import suite_of
-from lab.mutants.trial import KEPT, Verdict, made
+from turnbuckle.lab.mutants.draw import sources
+from turnbuckle.lab.mutants.mutation import Mutation
+from turnbuckle.lab.mutants.objects import ROOT
+from turnbuckle.lab.mutants.suites import suite_of
+from turnbuckle.lab.mutants.trial import KEPT, Verdict, made
 
 #: What a test can read beside itself and the modules next to it.
 READ = ("runtime", "generated", "machines", "model", "codegen", "lab")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from lab.mutants.tokens import Token, arguments, closing, tokens_of
+from turnbuckle.lab.mutants.tokens import Token, arguments, closing, tokens_of
 
 Tokens = list[Token]
 

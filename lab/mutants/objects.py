@@ -4,7 +4,7 @@ import re
 import subprocess
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 GENERATED = ROOT / "generated"
 STOCK = "yoon2023"
 #: Machines with rails and without, of two and six dimensions, with a force sensor and without.

@@ -5,10 +5,10 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from lab.mutants.draw import sources
-from lab.mutants.mutation import Mutation
-from lab.mutants.objects import ROOT
-from lab.mutants.trial import Verdict
+from turnbuckle.lab.mutants.draw import sources
+from turnbuckle.lab.mutants.mutation import Mutation
+from turnbuckle.lab.mutants.objects import ROOT
+from turnbuckle.lab.mutants.trial import Verdict
 
 REPORT = ROOT / "docs" / "mutants.md"
 EXPLAINED = Path(__file__).parent / "explained.toml"

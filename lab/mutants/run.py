@@ -3,11 +3,11 @@
 import os
 from collections.abc import Callable, Sequence
 
-from lab.mutants.draw import sources
-from lab.mutants.kept import Verdicts
-from lab.mutants.mutation import Mutation
-from lab.mutants.suites import suite_of
-from lab.mutants.trial import Trial, Verdict
+from turnbuckle.lab.mutants.draw import sources
+from turnbuckle.lab.mutants.kept import Verdicts
+from turnbuckle.lab.mutants.mutation import Mutation
+from turnbuckle.lab.mutants.suites import suite_of
+from turnbuckle.lab.mutants.trial import Trial, Verdict
 
 Told = Callable[[Mutation, Verdict], None]
 

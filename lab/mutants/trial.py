@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import pytest
 
-from lab.mutants.compiler import GCC, MUTANT, OBJECTS, ORIGINAL
-from lab.mutants.objects import ROOT
+from turnbuckle.lab.mutants.compiler import GCC, MUTANT, OBJECTS, ORIGINAL
+from turnbuckle.lab.mutants.objects import ROOT
 
 KEPT = ROOT / "build" / "mutants"
 LONGEST = 25
@@ -24,8 +24,19 @@ WALL = 1800
 #: What the tests import; a mutant's tests run in a fork of the process that has.
 IMPORTED = (
     *("numpy", "scipy.optimize", "casadi", "hypothesis", "elftools.elf.elffile"),
-    *("pyarrow.parquet", "typer.testing", "codegen.verify", "codegen.generate"),
-    *("lab.lockstep", "lab.machine_sim", "lab.demo", "lab.flight.replay", "lab.flight.table"),
+    *(
+        "pyarrow.parquet",
+        "typer.testing",
+        "turnbuckle.codegen.verify",
+        "turnbuckle.codegen.generate",
+    ),
+    *(
+        "turnbuckle.lab.lockstep",
+        "turnbuckle.lab.machine_sim",
+        "turnbuckle.lab.demo",
+        "turnbuckle.lab.flight.replay",
+        "turnbuckle.lab.flight.table",
+    ),
 )
 
 
@@ -125,9 +136,9 @@ def _run_in_fork(folder: Path, original: Path, changed: Path, tests: list[str]) 
 
 def _take_the_compiler(folder: Path, original: Path, changed: Path) -> None:
     """From now on `gcc` compiles the mutant, and no library of another one is found."""
-    import codegen.compile
+    import turnbuckle.codegen.compile
 
-    codegen.compile.LIBRARIES = folder / "libraries"
+    turnbuckle.codegen.compile.LIBRARIES = folder / "libraries"
     script = made(folder / "bin") / "gcc"
     program = Path(__file__).with_name("compiler.py")
     script.write_text(f'#!/bin/sh\nexec {sys.executable} -I -S {program} "$@"\n')

@@ -8,10 +8,10 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from lab.soak.pair import SoakError, soak_twice
-from lab.soak.run import Finding
+from turnbuckle.lab.soak.pair import SoakError, soak_twice
+from turnbuckle.lab.soak.run import Finding
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 MACHINE = "yoon2023"
 CYCLES = 600_000
 SHOWN = 20
@@ -20,7 +20,7 @@ SHOWN = 20
 
 def main() -> int:
     """Run, show, judge."""
-    parser = argparse.ArgumentParser(prog="python -m lab.soak", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m turnbuckle.lab.soak", description=__doc__)
     parser.add_argument("--cycles", type=int, default=CYCLES, help=f"of work [{CYCLES}]")
     cycles = parser.parse_args().cycles
     console = Console()

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from lab.bus_tap import (
+from turnbuckle.lab.bus_tap import (
     MOST_KEPT,
     POSITION_SETPOINT,
     RPDO,
@@ -10,10 +10,10 @@ from lab.bus_tap import (
     TORQUE_SETPOINT,
     heard_from_master,
 )
-from lab.drives.bus import SimulatedBus
-from lab.drives.node import Frame
-from model.bus.axis import Axis, axes
-from model.machine import Machine
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.machine import Machine
 
 
 class _Told:

@@ -6,10 +6,10 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 
-from codegen.bind import Generated
-from lab.demo import plan_task, plant_of
-from lab.soak.run import Finding, SoakRun
-from model.machine import load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.soak.run import Finding, SoakRun
+from turnbuckle.model.machine import load_machine
 
 Progress = Callable[[int], None]
 """Told how many cycles of work both runs together have done."""

@@ -5,14 +5,14 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from codegen.bind import Generated
-from lab.bus_tap import Fingerprint, SetpointWatch
-from lab.lockstep import Lockstep, State
-from lab.machine_sim import SimulatedMachine
-from lab.soak.order_watch import OrderWatch
-from lab.task import Task
-from model.machine import Plant
-from model.reference.control import base_targets
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.bus_tap import Fingerprint, SetpointWatch
+from turnbuckle.lab.lockstep import Lockstep, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.soak.order_watch import OrderWatch
+from turnbuckle.lab.task import Task
+from turnbuckle.model.machine import Plant
+from turnbuckle.model.reference.control import base_targets
 
 LONGEST_BRING_UP = 60_000
 """Cycles."""

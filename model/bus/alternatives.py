@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from model.bus.plan import Load, Timing, plans
-from model.bus.tables import BIT_RATES, Drive
+from turnbuckle.model.bus.plan import Load, Timing, plans
+from turnbuckle.model.bus.tables import BIT_RATES, Drive
 
 SLOWEST_DIVIDER = 20
 

@@ -6,10 +6,10 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from model.bus.tables import Drive, Rating
+from turnbuckle.model.bus.tables import Drive, Rating
 
 if TYPE_CHECKING:
-    from model.machine import Machine
+    from turnbuckle.model.machine import Machine
 
 MILLE = 1000
 # A quotient of rounded numbers may miss a whole number by this much.

@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from model.terminal import MachineFile
+from turnbuckle.model.terminal import MachineFile
 
 
 def bus(
@@ -25,8 +25,8 @@ def bus(
     Example:
       turnbuckle bus machines/yoon2023.toml
     """
-    from model.bus.report import as_data, table
-    from model.machine import load_machine
+    from turnbuckle.model.bus.report import as_data, table
+    from turnbuckle.model.machine import load_machine
 
     machine = load_machine(file)
     if as_json:

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from model.bus.response import Message
-from model.bus.tables import ERROR_CONTROL, MASTER_NODE, Drive, OtherNode
+from turnbuckle.model.bus.response import Message
+from turnbuckle.model.bus.tables import ERROR_CONTROL, MASTER_NODE, Drive, OtherNode
 
 # CiA 301 tables 33, 34: COB-IDs, to which a node adds its number.
 SYNC = 0x080

@@ -14,12 +14,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from model.bus.frames import ROUNDING, Pace, cyclic, messages, of_other_nodes
-from model.bus.response import Message, recovery_bits, response_time, utilisation
-from model.bus.tables import Drive, OtherNode, Supervision
+from turnbuckle.model.bus.frames import ROUNDING, Pace, cyclic, messages, of_other_nodes
+from turnbuckle.model.bus.response import Message, recovery_bits, response_time, utilisation
+from turnbuckle.model.bus.tables import Drive, OtherNode, Supervision
 
 if TYPE_CHECKING:
-    from model.machine import Machine
+    from turnbuckle.model.machine import Machine
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from model.bus.plan import BusPlan, Row, bus_plans
-from model.machine import Machine
+from turnbuckle.model.bus.plan import BusPlan, Row, bus_plans
+from turnbuckle.model.machine import Machine
 
 #: Kinds of frames, told by the end of a message's name.
 KINDS = ("SYNC", "emergency", "answer", "command", "SDO answer", "SDO request", "heartbeat")

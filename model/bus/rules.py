@@ -6,14 +6,14 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from model.bus.alternatives import alternatives, counted
-from model.bus.axis import Axis, axes, base_drive, drive_names
-from model.bus.plan import BusPlan, Load, loads, plans, timing
-from model.bus.tables import BIT_RATES, ERROR_CONTROL, MASTER, MASTER_NODE, Rating
-from model.problem import FOUND_NOTHING, Problem, key_path, nearest, problem_at, shown
+from turnbuckle.model.bus.alternatives import alternatives, counted
+from turnbuckle.model.bus.axis import Axis, axes, base_drive, drive_names
+from turnbuckle.model.bus.plan import BusPlan, Load, loads, plans, timing
+from turnbuckle.model.bus.tables import BIT_RATES, ERROR_CONTROL, MASTER, MASTER_NODE, Rating
+from turnbuckle.model.problem import FOUND_NOTHING, Problem, key_path, nearest, problem_at, shown
 
 if TYPE_CHECKING:
-    from model.machine import Machine
+    from turnbuckle.model.machine import Machine
 
 # A quotient of two rounded numbers may miss a whole number by this much.
 ROUNDING = 1e-9

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from model.quantity import (
+from turnbuckle.model.quantity import (
     Acceleration,
     BitRate,
     Current,
@@ -20,8 +20,8 @@ from model.quantity import (
     TorqueRate,
     Whole,
 )
-from model.table import Table
-from model.words import Identifier
+from turnbuckle.model.table import Table
+from turnbuckle.model.words import Identifier
 
 #: Bit rates of CiA 301 [bit/s].
 BIT_RATES = (10e3, 20e3, 50e3, 125e3, 250e3, 500e3, 800e3, 1e6)

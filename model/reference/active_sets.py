@@ -18,8 +18,8 @@ from itertools import combinations, product
 import numpy as np
 import numpy.typing as npt
 
-from model.reference.arrays import Array
-from model.reference.planar import minors
+from turnbuckle.model.reference.arrays import Array
+from turnbuckle.model.reference.planar import minors
 
 ROUNDINGS = 32  # a sum over the cables may be off by this many units in its last place
 Solver = Callable[[Array, Array, tuple[int, ...]], Array]

@@ -4,9 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from model.base import FixedBase, PlaneBase, RailBase
-from model.machine import Machine
-from model.reference.arrays import Array, unit
+from turnbuckle.model.base import FixedBase, PlaneBase, RailBase
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array, unit
 
 
 class Travel(NamedTuple):

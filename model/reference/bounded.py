@@ -13,8 +13,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from model.reference.arrays import Array, norm
-from model.reference.linear import factorise, pseudo_solution
+from turnbuckle.model.reference.arrays import Array, norm
+from turnbuckle.model.reference.linear import factorise, pseudo_solution
 
 ROUNDINGS = 32  # what a sum over the cables may be off by, in units in its last place
 # A search that takes longer than this a cable releases the first of several candidates, which

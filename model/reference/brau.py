@@ -10,14 +10,14 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.arrays import Array, as_floating
-from model.reference.bounded import ROUNDINGS
-from model.reference.kinematics import moment_lever
-from model.reference.linear import inverse, kernel, least_norm, least_squares
-from model.reference.planar import cross
-from model.reference.tension import minimum_norm_tension
-from model.reference.wrench_set import by_slabs, facet_directions
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array, as_floating
+from turnbuckle.model.reference.bounded import ROUNDINGS
+from turnbuckle.model.reference.kinematics import moment_lever
+from turnbuckle.model.reference.linear import inverse, kernel, least_norm, least_squares
+from turnbuckle.model.reference.planar import cross
+from turnbuckle.model.reference.tension import minimum_norm_tension
+from turnbuckle.model.reference.wrench_set import by_slabs, facet_directions
 
 
 def kernel_tension(machine: Machine, structure: npt.ArrayLike, wrench: npt.ArrayLike) -> Array:

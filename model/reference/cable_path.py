@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from model.pulley import Pulley
-from model.reference.arrays import Array, norm, unit
+from turnbuckle.model.pulley import Pulley
+from turnbuckle.model.reference.arrays import Array, norm, unit
 
 
 class Path(NamedTuple):

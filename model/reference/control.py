@@ -9,12 +9,12 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import DisturbanceObserver, Machine, RailDrive
-from model.reference.arrays import Array, as_floating, unit
-from model.reference.bases import travels
-from model.reference.kinematics import anchor_points, moment_lever
-from model.reference.linear import least_norm
-from model.reference.statics import wrench
+from turnbuckle.model.machine import DisturbanceObserver, Machine, RailDrive
+from turnbuckle.model.reference.arrays import Array, as_floating, unit
+from turnbuckle.model.reference.bases import travels
+from turnbuckle.model.reference.kinematics import anchor_points, moment_lever
+from turnbuckle.model.reference.linear import least_norm
+from turnbuckle.model.reference.statics import wrench
 
 INTEGRAL, MEASURED, SPEED = range(3)
 EDGE_ON = 1e-12  # a plane seen along its own surface: the square of the area of its unit cell

@@ -11,13 +11,13 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.arrays import Array, as_floating, in_chunks, unit
-from model.reference.bases import travels
-from model.reference.cable_path import Path, cable_path
-from model.reference.linear import least_squares
-from model.reference.orientation import moment, rotation, twist_of_vector
-from model.reference.pose_fit import Misfit, fit_pose, pose_from_points
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array, as_floating, in_chunks, unit
+from turnbuckle.model.reference.bases import travels
+from turnbuckle.model.reference.cable_path import Path, cable_path
+from turnbuckle.model.reference.linear import least_squares
+from turnbuckle.model.reference.orientation import moment, rotation, twist_of_vector
+from turnbuckle.model.reference.pose_fit import Misfit, fit_pose, pose_from_points
 
 
 class ForwardKinematics(NamedTuple):

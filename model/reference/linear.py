@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.reference import planar
-from model.reference.arrays import Array, norm
+from turnbuckle.model.reference import planar
+from turnbuckle.model.reference.arrays import Array, norm
 
 RANK_ROUNDINGS = 16  # a pivot below this many roundings of the largest is zero
 

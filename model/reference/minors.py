@@ -4,7 +4,7 @@ from itertools import combinations
 
 import numpy as np
 
-from model.reference.arrays import Array
+from turnbuckle.model.reference.arrays import Array
 
 #: Minors (...) of k vectors by the coordinates they take, k of 0 to d - 1 in rising order.
 Minors = dict[tuple[int, ...], Array]

@@ -6,8 +6,8 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from model.reference.arrays import Array, as_floating, norm
-from model.reference.planar import inner_products, minors
+from turnbuckle.model.reference.arrays import Array, as_floating, norm
+from turnbuckle.model.reference.planar import inner_products, minors
 
 
 def optimality_gap(

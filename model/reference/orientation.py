@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from model.machine import Machine
-from model.reference.arrays import Array, norm
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array, norm
 
 SMALL_ANGLE = 1e-4  # below, theta - sin theta has lost the digits that its own cube is worth
 

@@ -7,7 +7,7 @@ Nothing is squared before it is subtracted, so nearly parallel rows cost one con
 
 import numpy as np
 
-from model.reference.arrays import Array, norm
+from turnbuckle.model.reference.arrays import Array, norm
 
 __all__ = ["Array", "cross", "inner_products", "least_norm", "least_squares", "minors", "norm"]
 

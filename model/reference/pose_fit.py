@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.reference.arrays import Array, norm
-from model.reference.linear import least_squares
+from turnbuckle.model.reference.arrays import Array, norm
+from turnbuckle.model.reference.linear import least_squares
 
 MOST_ITERATIONS = 100
 MOST_HALVINGS = 40

@@ -8,12 +8,12 @@ is 0.
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.arrays import Array, norm
-from model.reference.kinematics import structure_matrix
-from model.reference.planar import cross
-from model.reference.tension import distribute_tension
-from model.reference.wrench_set import by_slabs, slabs
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array, norm
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.reference.planar import cross
+from turnbuckle.model.reference.tension import distribute_tension
+from turnbuckle.model.reference.wrench_set import by_slabs, slabs
 
 
 def zero_wrench_tension(machine: Machine, pose: npt.ArrayLike, rails: npt.ArrayLike) -> Array:

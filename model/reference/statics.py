@@ -3,10 +3,15 @@
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.arrays import Array, as_floating, norm
-from model.reference.kinematics import cable_vectors, moment_lever, rail_jacobian, structure_matrix
-from model.reference.linear import least_norm
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import Array, as_floating, norm
+from turnbuckle.model.reference.kinematics import (
+    cable_vectors,
+    moment_lever,
+    rail_jacobian,
+    structure_matrix,
+)
+from turnbuckle.model.reference.linear import least_norm
 
 
 def wrench(machine: Machine, structure: npt.ArrayLike, tension: npt.ArrayLike) -> Array:

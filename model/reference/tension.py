@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference import active_sets, bounded
-from model.reference.arrays import Array, as_floating, in_chunks
-from model.reference.kinematics import moment_lever
-from model.reference.wrench_set import by_slabs, closest_wrench, contains, largest_share
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import active_sets, bounded
+from turnbuckle.model.reference.arrays import Array, as_floating, in_chunks
+from turnbuckle.model.reference.kinematics import moment_lever
+from turnbuckle.model.reference.wrench_set import by_slabs, closest_wrench, contains, largest_share
 
 MOST_TRIED = 6  # cables of which every active set is tried, 3^n of them
 

@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.arrays import ROWS_PER_CHUNK, Array, in_chunks, norm
-from model.reference.bounded import ROUNDINGS, closest_tension
-from model.reference.kinematics import moment_lever
-from model.reference.linear import complete_basis, factorise
-from model.reference.minors import none_yet, normal, with_vector
-from model.reference.planar import inner_products, minors
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import ROWS_PER_CHUNK, Array, in_chunks, norm
+from turnbuckle.model.reference.bounded import ROUNDINGS, closest_tension
+from turnbuckle.model.reference.kinematics import moment_lever
+from turnbuckle.model.reference.linear import complete_basis, factorise
+from turnbuckle.model.reference.minors import none_yet, normal, with_vector
+from turnbuckle.model.reference.planar import inner_products, minors
 
 MOST_SIDES = 2**20  # in one chunk, each 16 bytes in long double
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.function import (
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Input,
     ModelFunction,
@@ -24,9 +24,16 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import Factorisation, dot, factorise, multiply, subtract, transpose
-from model.symbolic.polytope import knock_out
-from model.symbolic.scalar import (
+from turnbuckle.model.symbolic.linear import (
+    Factorisation,
+    dot,
+    factorise,
+    multiply,
+    subtract,
+    transpose,
+)
+from turnbuckle.model.symbolic.polytope import knock_out
+from turnbuckle.model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,

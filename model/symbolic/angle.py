@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from model.symbolic.linear import cross_matrix, dot, multiply
-from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt, where
+from turnbuckle.model.symbolic.linear import cross_matrix, dot, multiply
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, sqrt, where
 
 #: Taylor series of cos x and sin x / x in x^2, below half a unit in the last place up to |x| = pi.
 COSINE = tuple((-1.0) ** k / math.factorial(2 * k) for k in range(15))

@@ -6,8 +6,8 @@ refused, not to say what is sensible for the machine.
 
 from math import hypot, pi
 
-from model.machine import Machine
-from model.symbolic.function import Input, bounded_input, make_input
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Input, bounded_input, make_input
 
 #: Commands and measurements may exceed the machine's own limits by this factor.
 HEADROOM = 1000.0

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
-from model.base import BaseMotion
-from model.machine import Machine
-from model.symbolic import arguments, kinematics
-from model.symbolic.function import ModelFunction, vector_output
-from model.symbolic.linear import add_scaled, dot, subtract
-from model.symbolic.scalar import Vector, clamp, total
+from turnbuckle.model.base import BaseMotion
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments, kinematics
+from turnbuckle.model.symbolic.function import ModelFunction, vector_output
+from turnbuckle.model.symbolic.linear import add_scaled, dot, subtract
+from turnbuckle.model.symbolic.scalar import Vector, clamp, total
 
 #: A plane seen along its heading is a line when the square of its area is below this.
 EDGE_ON = 1e-12

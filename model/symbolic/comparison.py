@@ -8,12 +8,12 @@ from itertools import combinations
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic import arguments
-from model.symbolic.active_set import Answer, Optimum
-from model.symbolic.composition import Composite
-from model.symbolic.facets import WEIGHED, Facet, FacetSweep
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments
+from turnbuckle.model.symbolic.active_set import Answer, Optimum
+from turnbuckle.model.symbolic.composition import Composite
+from turnbuckle.model.symbolic.facets import WEIGHED, Facet, FacetSweep
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Input,
     ModelFunction,
@@ -26,11 +26,19 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import cross, dot, factorise, moment, none_between, subtract, transpose
-from model.symbolic.null_space import factored
-from model.symbolic.polytope import Line, knock_out
-from model.symbolic.rank import least_pivot
-from model.symbolic.scalar import (
+from turnbuckle.model.symbolic.linear import (
+    cross,
+    dot,
+    factorise,
+    moment,
+    none_between,
+    subtract,
+    transpose,
+)
+from turnbuckle.model.symbolic.null_space import factored
+from turnbuckle.model.symbolic.polytope import Line, knock_out
+from turnbuckle.model.symbolic.rank import least_pivot
+from turnbuckle.model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,
@@ -41,8 +49,8 @@ from model.symbolic.scalar import (
     total,
     where,
 )
-from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
-from model.symbolic.tension import (
+from turnbuckle.model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
+from turnbuckle.model.symbolic.tension import (
     KKT_TOLERANCE,
     LARGEST_MISS,
     PLANE,
@@ -52,8 +60,8 @@ from model.symbolic.tension import (
     rank_lost,
     rounding,
 )
-from model.symbolic.wrench_norm import weighed, weighed_rows
-from model.symbolic.wrench_set import FAR
+from turnbuckle.model.symbolic.wrench_norm import weighed, weighed_rows
+from turnbuckle.model.symbolic.wrench_set import FAR
 
 KERNEL = "Brau eqs 3-5"
 PROGRAM_SUMMARY = (

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from model.symbolic.function import Input, ModelFunction, Repeat, Retry
-from model.symbolic.sweep import Sweep
+from turnbuckle.model.symbolic.function import Input, ModelFunction, Repeat, Retry
+from turnbuckle.model.symbolic.sweep import Sweep
 
 
 @dataclass(frozen=True)

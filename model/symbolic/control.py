@@ -4,10 +4,10 @@ import math
 
 import casadi as ca
 
-from model.machine import Machine, Wall
-from model.symbolic import arguments, kinematics
-from model.symbolic.base_targets import base_targets_function
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine, Wall
+from turnbuckle.model.symbolic import arguments, kinematics
+from turnbuckle.model.symbolic.base_targets import base_targets_function
+from turnbuckle.model.symbolic.function import (
     Label,
     ModelFunction,
     Output,
@@ -15,8 +15,15 @@ from model.symbolic.function import (
     judged_by_results,
     vector_output,
 )
-from model.symbolic.linear import dot, gram, multiply, solve_positive, subtract, transpose
-from model.symbolic.scalar import Scalar, Vector, clamp, where
+from turnbuckle.model.symbolic.linear import (
+    dot,
+    gram,
+    multiply,
+    solve_positive,
+    subtract,
+    transpose,
+)
+from turnbuckle.model.symbolic.scalar import Scalar, Vector, clamp, where
 
 #: Largest result that control laws answer, in its own unit: far beyond any machine.
 LARGEST = 1e9

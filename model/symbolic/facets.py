@@ -14,13 +14,13 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic.function import EPSILON, Input, Output, Verdict, matrix_output
-from model.symbolic.linear import add_scaled, dot, factorise, moment, norm, transpose
-from model.symbolic.rank import regular
-from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, any_of, total, where
-from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
-from model.symbolic.wrench_norm import weighed_rows
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import EPSILON, Input, Output, Verdict, matrix_output
+from turnbuckle.model.symbolic.linear import add_scaled, dot, factorise, moment, norm, transpose
+from turnbuckle.model.symbolic.rank import regular
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, all_of, any_of, total, where
+from turnbuckle.model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
+from turnbuckle.model.symbolic.wrench_norm import weighed_rows
 
 #: Cables are dependent where they are so within this many EPSILON.
 DEPENDENT = 16.0

@@ -8,10 +8,10 @@ import math
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic import arguments, kinematics
-from model.symbolic.angle import rotation_vector_rate
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments, kinematics
+from turnbuckle.model.symbolic.angle import rotation_vector_rate
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Input,
     Label,
@@ -25,8 +25,13 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.kinematics import CONTACT_DISTANCE, Cables, loses_rank, touches_a_pulley
-from model.symbolic.linear import (
+from turnbuckle.model.symbolic.kinematics import (
+    CONTACT_DISTANCE,
+    Cables,
+    loses_rank,
+    touches_a_pulley,
+)
+from turnbuckle.model.symbolic.linear import (
     add_scaled,
     dot,
     gram,
@@ -36,7 +41,7 @@ from model.symbolic.linear import (
     subtract,
     transpose,
 )
-from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, smallest, total, where
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, clamp, smallest, total, where
 
 #: A step moves the platform by at most this share of the frame's diagonal ...
 LONGEST_STEP = 0.25

@@ -6,7 +6,7 @@ from enum import IntEnum
 
 import casadi as ca
 
-from model.symbolic.scalar import Matrix, Scalar, Vector, all_of
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, all_of
 
 
 class Status(IntEnum):

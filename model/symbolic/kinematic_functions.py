@@ -1,8 +1,8 @@
 """The functions of the topic kinematics: points, vectors, lengths, Jacobians, speeds."""
 
-from model.machine import Machine
-from model.symbolic import arguments, forward_kinematics, kinematics
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments, forward_kinematics, kinematics
+from turnbuckle.model.symbolic.function import (
     Label,
     ModelFunction,
     Repeat,
@@ -10,7 +10,7 @@ from model.symbolic.function import (
     matrix_output,
     vector_output,
 )
-from model.symbolic.kinematics import Cables
+from turnbuckle.model.symbolic.kinematics import Cables
 
 
 class Words:

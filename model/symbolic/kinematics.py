@@ -5,13 +5,21 @@ from functools import cached_property
 
 import casadi as ca
 
-from model.base import BaseMotion
-from model.machine import Machine
-from model.symbolic.angle import arc_tangent, planar_rotation, spatial_rotation
-from model.symbolic.function import EPSILON, Label, Verdict, not_all_above
-from model.symbolic.linear import add_scaled, dot, gram, moment, multiply, solve_positive, transpose
-from model.symbolic.scalar import Matrix, Scalar, Vector
-from model.symbolic.span import ArcTangent, Span, span
+from turnbuckle.model.base import BaseMotion
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.angle import arc_tangent, planar_rotation, spatial_rotation
+from turnbuckle.model.symbolic.function import EPSILON, Label, Verdict, not_all_above
+from turnbuckle.model.symbolic.linear import (
+    add_scaled,
+    dot,
+    gram,
+    moment,
+    multiply,
+    solve_positive,
+    transpose,
+)
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector
+from turnbuckle.model.symbolic.span import ArcTangent, Span, span
 
 #: A platform nearer than this to a pulley touches it [m]: the direction of the cable is lost.
 CONTACT_DISTANCE = 1e-4

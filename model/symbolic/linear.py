@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.scalar import Matrix, Scalar, Vector, any_of, sqrt, total
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, any_of, sqrt, total
 
 
 def dot(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:

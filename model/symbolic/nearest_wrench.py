@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.function import (
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Input,
     ModelFunction,
@@ -25,9 +25,18 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import add_scaled, dot, multiply, norm, subtract, transpose
-from model.symbolic.polytope import knock_out
-from model.symbolic.scalar import Matrix, Scalar, Vector, all_of, smallest, sqrt, total, where
+from turnbuckle.model.symbolic.linear import add_scaled, dot, multiply, norm, subtract, transpose
+from turnbuckle.model.symbolic.polytope import knock_out
+from turnbuckle.model.symbolic.scalar import (
+    Matrix,
+    Scalar,
+    Vector,
+    all_of,
+    smallest,
+    sqrt,
+    total,
+    where,
+)
 
 #: A vertex is beyond the plane by more than so many EPSILON of the numbers it is made of.
 BEYOND = 64.0

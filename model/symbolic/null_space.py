@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.function import Label
-from model.symbolic.linear import cross, dot, factorise, transpose
-from model.symbolic.polytope import QuickPlane, Space, space_of
-from model.symbolic.scalar import Matrix, Scalar, Vector, sqrt
+from turnbuckle.model.symbolic.function import Label
+from turnbuckle.model.symbolic.linear import cross, dot, factorise, transpose
+from turnbuckle.model.symbolic.polytope import QuickPlane, Space, space_of
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, sqrt
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.function import EPSILON
-from model.symbolic.linear import cross, dot, factorise, multiply, subtract, transpose
-from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, smallest, where
+from turnbuckle.model.symbolic.function import EPSILON
+from turnbuckle.model.symbolic.linear import cross, dot, factorise, multiply, subtract, transpose
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, smallest, where
 
 #: Stands for an interval end that is not there; far beyond any tension, safe in single precision.
 UNBOUNDED = 1e12

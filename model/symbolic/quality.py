@@ -6,11 +6,11 @@ from functools import cached_property
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic import arguments, kinematics, quality_by_facets
-from model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
-from model.symbolic.composition import Composite
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments, kinematics, quality_by_facets
+from turnbuckle.model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
+from turnbuckle.model.symbolic.composition import Composite
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Input,
     Label,
@@ -25,11 +25,11 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import dot, factorise, none_between, transpose
-from model.symbolic.null_space import factored
-from model.symbolic.rank import least_pivot, regular
-from model.symbolic.rest import from_neighbours
-from model.symbolic.scalar import (
+from turnbuckle.model.symbolic.linear import dot, factorise, none_between, transpose
+from turnbuckle.model.symbolic.null_space import factored
+from turnbuckle.model.symbolic.rank import least_pivot, regular
+from turnbuckle.model.symbolic.rest import from_neighbours
+from turnbuckle.model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,
@@ -38,7 +38,7 @@ from model.symbolic.scalar import (
     total,
     where,
 )
-from model.symbolic.tension import (
+from turnbuckle.model.symbolic.tension import (
     KKT_TOLERANCE,
     PLANE,
     QUICK_TOLERANCE,
@@ -48,7 +48,7 @@ from model.symbolic.tension import (
     rounding,
     tolerated,
 )
-from model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
+from turnbuckle.model.symbolic.wrench_set import FAR, WrenchSet, wrench_set
 
 #: A result, and the verdicts and labels that come with it.
 Taken = tuple[Output, tuple[Verdict, ...], tuple[Label, ...]]

@@ -7,11 +7,11 @@ distribution make of it. The isotropic force of a platform that turns is that wi
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic import arguments
-from model.symbolic.composition import Call, Composition
-from model.symbolic.facets import Facet, FacetSweep
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments
+from turnbuckle.model.symbolic.composition import Call, Composition
+from turnbuckle.model.symbolic.facets import Facet, FacetSweep
+from turnbuckle.model.symbolic.function import (
     Input,
     ModelFunction,
     Output,
@@ -22,9 +22,9 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.scalar import Vector, largest, smallest, where
-from model.symbolic.sweep import Ports, Subset, Sweep
-from model.symbolic.wrench_set import FAR
+from turnbuckle.model.symbolic.scalar import Vector, largest, smallest, where
+from turnbuckle.model.symbolic.sweep import Ports, Subset, Sweep
+from turnbuckle.model.symbolic.wrench_set import FAR
 
 #: A normal whose part along forces is shorter bounds moments only.
 NO_FORCE = 1e-6

@@ -2,8 +2,8 @@
 
 import casadi as ca
 
-from model.symbolic.function import EPSILON, Verdict, not_all_above
-from model.symbolic.scalar import Scalar, Vector
+from turnbuckle.model.symbolic.function import EPSILON, Verdict, not_all_above
+from turnbuckle.model.symbolic.scalar import Scalar, Vector
 
 #: The structure matrix has lost rank when a pivot of its factorisation is below this: cables within
 #: a millionth of a radian of one line hold nothing across it ...

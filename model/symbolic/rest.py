@@ -9,9 +9,16 @@ from functools import cached_property
 
 import casadi as ca
 
-from model.symbolic.linear import add_scaled, cross, dot, multiply, solve_positive, transpose
-from model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, where
-from model.symbolic.wrench_set import WrenchSet
+from turnbuckle.model.symbolic.linear import (
+    add_scaled,
+    cross,
+    dot,
+    multiply,
+    solve_positive,
+    transpose,
+)
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector, clamp, largest, where
+from turnbuckle.model.symbolic.wrench_set import WrenchSet
 
 #: Less than any product of forces and directions, in N; safe in single precision.
 NEVER = -1e30

@@ -4,10 +4,10 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from model.pulley import Pulley
-from model.symbolic.angle import arc_tangent
-from model.symbolic.linear import add_scaled, cross, dot, norm, subtract
-from model.symbolic.scalar import Scalar, Vector, sqrt
+from turnbuckle.model.pulley import Pulley
+from turnbuckle.model.symbolic.angle import arc_tangent
+from turnbuckle.model.symbolic.linear import add_scaled, cross, dot, norm, subtract
+from turnbuckle.model.symbolic.scalar import Scalar, Vector, sqrt
 
 #: (sine, cosine) of a unit vector -> its angle from -pi to pi [rad].
 ArcTangent = Callable[[Scalar, Scalar], Scalar]

@@ -1,10 +1,10 @@
 """Forces between cables, platform and bases: Yoon section II-B."""
 
-from model.machine import Machine
-from model.symbolic import arguments, kinematics
-from model.symbolic.function import ModelFunction, vector_output
-from model.symbolic.linear import gram, multiply, solve_positive, transpose
-from model.symbolic.scalar import Vector
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments, kinematics
+from turnbuckle.model.symbolic.function import ModelFunction, vector_output
+from turnbuckle.model.symbolic.linear import gram, multiply, solve_positive, transpose
+from turnbuckle.model.symbolic.scalar import Vector
 
 
 def wrench_function(machine: Machine) -> ModelFunction:

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import casadi as ca
 
-from model.symbolic.function import (
+from turnbuckle.model.symbolic.function import (
     Input,
     ModelFunction,
     Output,
@@ -15,7 +15,7 @@ from model.symbolic.function import (
     judged_by_results,
     make_input,
 )
-from model.symbolic.scalar import Scalar, Vector, any_of
+from turnbuckle.model.symbolic.scalar import Scalar, Vector, any_of
 
 #: What a visit may read of its subset: those columns of the matrix, and their numbers from 0.
 CHOSEN, NUMBERS = "chosen", "numbers"

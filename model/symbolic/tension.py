@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic import arguments
-from model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
-from model.symbolic.composition import Call, Composite, Composition
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments
+from turnbuckle.model.symbolic.active_set import ActiveSet, Answer, Bounded, Optimum, Start
+from turnbuckle.model.symbolic.composition import Call, Composite, Composition
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Label,
     ModelFunction,
@@ -26,12 +26,12 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import factorise, multiply, transpose
-from model.symbolic.nearest_wrench import Nearest, Reach, nearest_loop
-from model.symbolic.null_space import NullSpace, crossed, factored
-from model.symbolic.polytope import UNBOUNDED, Slabs
-from model.symbolic.rank import regular
-from model.symbolic.scalar import (
+from turnbuckle.model.symbolic.linear import factorise, multiply, transpose
+from turnbuckle.model.symbolic.nearest_wrench import Nearest, Reach, nearest_loop
+from turnbuckle.model.symbolic.null_space import NullSpace, crossed, factored
+from turnbuckle.model.symbolic.polytope import UNBOUNDED, Slabs
+from turnbuckle.model.symbolic.rank import regular
+from turnbuckle.model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,
@@ -42,9 +42,9 @@ from model.symbolic.scalar import (
     total,
     where,
 )
-from model.symbolic.wrench_norm import weighed, weighed_rows, weights
-from model.symbolic.wrench_ray import ray_outputs, ray_sweep
-from model.symbolic.wrench_set import WrenchSet, wrench_set
+from turnbuckle.model.symbolic.wrench_norm import weighed, weighed_rows, weights
+from turnbuckle.model.symbolic.wrench_ray import ray_outputs, ray_sweep
+from turnbuckle.model.symbolic.wrench_set import WrenchSet, wrench_set
 
 #: Rounding that bounds may be missed by while solving, in units of EPSILON times the tension scale.
 SLACK = 3.0

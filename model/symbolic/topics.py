@@ -2,10 +2,17 @@
 
 from collections.abc import Callable
 
-from model.machine import Machine
-from model.symbolic import comparison, control, kinematic_functions, quality, statics, tension
-from model.symbolic.composition import Composite
-from model.symbolic.function import ModelFunction
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import (
+    comparison,
+    control,
+    kinematic_functions,
+    quality,
+    statics,
+    tension,
+)
+from turnbuckle.model.symbolic.composition import Composite
+from turnbuckle.model.symbolic.function import ModelFunction
 
 TOPICS: dict[str, tuple[str, Callable[[Machine], list[ModelFunction]]]] = {
     "kinematics": ("where the cables are and how they move", kinematic_functions.functions),

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from model.machine import Machine
-from model.symbolic.scalar import Matrix, Scalar, Vector
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.scalar import Matrix, Scalar, Vector
 
 
 def weights(machine: Machine) -> list[float]:

@@ -5,9 +5,9 @@ In the plane all facets are written out, see wrench_set; elsewhere a sweep visit
 
 import casadi as ca
 
-from model.machine import Machine
-from model.symbolic.facets import Facet, FacetSweep
-from model.symbolic.function import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.facets import Facet, FacetSweep
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     Input,
     Output,
@@ -15,11 +15,11 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import dot
-from model.symbolic.scalar import Scalar, Vector, where
-from model.symbolic.sweep import Ports, Subset, Sweep
-from model.symbolic.wrench_norm import weighed
-from model.symbolic.wrench_set import FAR, RAY_SLACK
+from turnbuckle.model.symbolic.linear import dot
+from turnbuckle.model.symbolic.scalar import Scalar, Vector, where
+from turnbuckle.model.symbolic.sweep import Ports, Subset, Sweep
+from turnbuckle.model.symbolic.wrench_norm import weighed
+from turnbuckle.model.symbolic.wrench_set import FAR, RAY_SLACK
 
 
 def ray_sweep(machine: Machine, structure: Input, wrench: Input) -> Sweep:

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from model.symbolic.function import EPSILON
-from model.symbolic.linear import add_scaled, cross, dot, subtract
-from model.symbolic.polytope import PARALLEL
-from model.symbolic.scalar import (
+from turnbuckle.model.symbolic.function import EPSILON
+from turnbuckle.model.symbolic.linear import add_scaled, cross, dot, subtract
+from turnbuckle.model.symbolic.polytope import PARALLEL
+from turnbuckle.model.symbolic.scalar import (
     Matrix,
     Scalar,
     Vector,

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.workspace.max_tension import needed_tension
-from model.workspace.structures import Demand, structures, target_demand
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.max_tension import needed_tension
+from turnbuckle.model.workspace.structures import Demand, structures, target_demand
 
 ROUNDING = 1e-12  # a limit that is missed by less, relative to it, is met
 

@@ -7,12 +7,12 @@ import numpy as np
 import numpy.typing as npt
 from scipy.stats import qmc
 
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.workspace.force import isotropic_force, isotropic_limits
-from model.workspace.maximin import climb
-from model.workspace.rows import Array
-from model.workspace.structures import structures
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.force import isotropic_force, isotropic_limits
+from turnbuckle.model.workspace.maximin import climb
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.structures import structures
 
 SAMPLES = 1 << 11  # of all rail coordinates, to start from
 STARTS = 4  # of them, the best

@@ -5,16 +5,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.workspace.feasible import wrench_closure
-from model.workspace.grid import frame_grid
-from model.workspace.inscribed import Inscribed, largest_circle, largest_screen
-from model.workspace.quality import wanted_margin
-from model.workspace.rows import Array
-from model.workspace.structures import structures
-from model.workspace.summary import fine_grid
-from model.workspace.tension_capable import CapableRegion, capable_region
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.feasible import wrench_closure
+from turnbuckle.model.workspace.grid import frame_grid
+from turnbuckle.model.workspace.inscribed import Inscribed, largest_circle, largest_screen
+from turnbuckle.model.workspace.quality import wanted_margin
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.structures import structures
+from turnbuckle.model.workspace.summary import fine_grid
+from turnbuckle.model.workspace.tension_capable import CapableRegion, capable_region
 
 CELLS = {2: 100, 3: 20}  # along the longest side of the frame, by the dimension of its space
 INSCRIBED_CELLS = 60

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.rows import Array, in_chunks
+from turnbuckle.model.workspace.rows import Array, in_chunks
 
 ROUNDINGS = 32  # a sum over the cables may be off by this many units in its last place
 NEARLY_FLAT = np.sqrt(np.finfo(np.float64).eps)  # least singular value of S over its largest

@@ -11,8 +11,8 @@ entries of a wrench, moments the rest. NaN in S gives NaN margins and False verd
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
+from turnbuckle.model.workspace.rows import Array
 
 Verdict = npt.NDArray[np.bool_]
 

@@ -9,11 +9,11 @@ from math import comb
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
-from model.workspace.feasible import ball_reach
-from model.workspace.gaps import adjacent_gaps
-from model.workspace.least_norm import least_norm_tension
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
+from turnbuckle.model.workspace.feasible import ball_reach
+from turnbuckle.model.workspace.gaps import adjacent_gaps
+from turnbuckle.model.workspace.least_norm import least_norm_tension
+from turnbuckle.model.workspace.rows import Array
 
 
 def isotropic_force(

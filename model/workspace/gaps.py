@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.rows import Array
 
 
 def adjacent_gaps(structure: npt.ArrayLike) -> tuple[npt.NDArray[np.intp], Array]:

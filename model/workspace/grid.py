@@ -6,8 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from model.machine import Machine
-from model.workspace.rows import Array
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.rows import Array
 
 TILE = 1 << 16  # poses at a time
 Progress = Callable[[int, int], None]

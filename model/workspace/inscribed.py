@@ -13,10 +13,10 @@ import numpy.typing as npt
 from scipy.ndimage import distance_transform_cdt, distance_transform_edt, label, maximum_position
 from scipy.optimize.elementwise import find_root
 
-from model.workspace.grid import Grid
-from model.workspace.maps import Measure, evaluate
-from model.workspace.maximin import GAIN, climb
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.grid import Grid
+from turnbuckle.model.workspace.maps import Measure, evaluate
+from turnbuckle.model.workspace.maximin import GAIN, climb
+from turnbuckle.model.workspace.rows import Array
 
 RAYS = 180
 STEPS = 40  # along a ray, to find where the margin first becomes negative

@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.facets import ROUNDINGS, rounding
-from model.workspace.feasible import feasible, wrench_margin
-from model.workspace.rows import Array, in_chunks
+from turnbuckle.model.workspace.facets import ROUNDINGS, rounding
+from turnbuckle.model.workspace.feasible import feasible, wrench_margin
+from turnbuckle.model.workspace.rows import Array, in_chunks
 
 DAMPING = 1e-8  # of the share of one cable in S S', which is about 1
 MOST_STEPS = 60  # 20 are rarely passed with six degrees of freedom and eight cables

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.grid import TILE, Grid, Progress
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.grid import TILE, Grid, Progress
+from turnbuckle.model.workspace.rows import Array
 
 Measure = Callable[[Array], Array]
 

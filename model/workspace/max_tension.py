@@ -10,10 +10,10 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
-from model.workspace.feasible import ball_reach
-from model.workspace.gaps import adjacent_gaps
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.facets import ROUNDINGS, Facets, over_facets, rounding
+from turnbuckle.model.workspace.feasible import ball_reach
+from turnbuckle.model.workspace.gaps import adjacent_gaps
+from turnbuckle.model.workspace.rows import Array
 
 
 def needed_tension(

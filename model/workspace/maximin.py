@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.optimize import linprog
 
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.rows import Array
 
 MOST_MOVES = 60
 GAIN = 1e-10  # a smaller growth, relative to the smallest function, is not worth a move

@@ -8,19 +8,19 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.workspace.facets import ROUNDINGS, rounding
-from model.workspace.feasible import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.facets import ROUNDINGS, rounding
+from turnbuckle.model.workspace.feasible import (
     Verdict,
     ball_margin,
     smallest_singular_value,
     wrench_closure,
 )
-from model.workspace.force import isotropic_force, served_share, tension_factor
-from model.workspace.max_tension import needed_tension
-from model.workspace.rows import Array
-from model.workspace.structures import Demand, structures, target_demand
+from turnbuckle.model.workspace.force import isotropic_force, served_share, tension_factor
+from turnbuckle.model.workspace.max_tension import needed_tension
+from turnbuckle.model.workspace.rows import Array
+from turnbuckle.model.workspace.structures import Demand, structures, target_demand
 
 NOTHING = Demand(0.0, 0.0, 0)
 

@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine
-from model.reference.kinematics import structure_matrix
-from model.workspace.rows import Array
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.workspace.rows import Array
 
 
 class Demand(NamedTuple):

@@ -6,13 +6,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from model.machine import Machine
-from model.reference.control import base_targets
-from model.workspace.actuators import ActuatorChoice, choose_actuators
-from model.workspace.bases import lagging_force
-from model.workspace.grid import Grid, Progress, target_grid
-from model.workspace.quality import PoseQuality, pose_quality, possible_share, wanted_margin
-from model.workspace.rows import Array
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.actuators import ActuatorChoice, choose_actuators
+from turnbuckle.model.workspace.bases import lagging_force
+from turnbuckle.model.workspace.grid import Grid, Progress, target_grid
+from turnbuckle.model.workspace.quality import (
+    PoseQuality,
+    pose_quality,
+    possible_share,
+    wanted_margin,
+)
+from turnbuckle.model.workspace.rows import Array
 
 PER_LONGEST_SIDE = {
     "planar-point": 101,

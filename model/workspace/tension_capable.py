@@ -12,10 +12,10 @@ from itertools import combinations, pairwise
 import numpy as np
 import numpy.typing as npt
 
-from model.workspace.feasible import feasible, wrench_closure
-from model.workspace.force import isotropic_force
-from model.workspace.gaps import adjacent_gaps
-from model.workspace.rows import Array
+from turnbuckle.model.workspace.feasible import feasible, wrench_closure
+from turnbuckle.model.workspace.force import isotropic_force
+from turnbuckle.model.workspace.gaps import adjacent_gaps
+from turnbuckle.model.workspace.rows import Array
 
 HALVINGS = 52  # of the ratio, from 1 to its last place
 SAME_POINT = 64 * np.finfo(np.float64).eps  # in shares of an arc

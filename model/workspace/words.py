@@ -3,9 +3,9 @@
 import math
 from collections.abc import Sequence
 
-from model.machine import Machine
-from model.workspace.actuators import ROUNDING, ActuatorChoice
-from model.workspace.summary import Coverage
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.workspace.actuators import ROUNDING, ActuatorChoice
+from turnbuckle.model.workspace.summary import Coverage
 
 
 def percent(share: float) -> str:

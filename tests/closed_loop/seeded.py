@@ -4,8 +4,8 @@ import ctypes
 
 import variants
 
-from codegen.bind import keep_text
-from lab.lockstep import FOLDERS, load
+from turnbuckle.codegen.bind import keep_text
+from turnbuckle.lab.lockstep import FOLDERS, load
 
 Defect = tuple[str, str, str]
 """A file of the runtime, what stands in it once, and what takes its place."""

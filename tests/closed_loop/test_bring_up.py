@@ -13,19 +13,19 @@ import numpy as np
 import pytest
 import variants
 
-from codegen.bind import Generated
-from lab.bus_tap import CandumpLog, Fingerprint, SetpointWatch
-from lab.demo import plan_task, plant_of
-from lab.drives.bus import SimulatedBus
-from lab.drives.node import Frame
-from lab.drives.power import Power
-from lab.drives.setup import Identity, Setup
-from lab.lockstep import Lockstep, Request, State
-from lab.machine_sim import SimulatedMachine
-from lab.task import Task
-from model.bus.axis import axes
-from model.machine import load_machine
-from model.problem import MachineError
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.bus_tap import CandumpLog, Fingerprint, SetpointWatch
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.power import Power
+from turnbuckle.lab.drives.setup import Identity, Setup
+from turnbuckle.lab.lockstep import Lockstep, Request, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.task import Task
+from turnbuckle.model.bus.axis import axes
+from turnbuckle.model.machine import load_machine
+from turnbuckle.model.problem import MachineError
 
 SOMEWHERE = [0.15, 0.11, 0.13, 0.09]
 """Rail coordinates [m] in which the bases were left."""

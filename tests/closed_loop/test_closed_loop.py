@@ -5,14 +5,14 @@ import pytest
 from numpy.typing import NDArray
 from variants import committed
 
-from codegen.bind import Generated
-from codegen.controller import UNCOMPENSATED, Controller, Outputs
-from lab.bench import Recording, run_task
-from lab.demo import plan_task, plant_of
-from lab.summary import Summary, penetration, summarise
-from lab.task import SHARE, TENSIONING
-from model.machine import Machine, Plant
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.controller import UNCOMPENSATED, Controller, Outputs
+from turnbuckle.lab.bench import Recording, run_task
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.summary import Summary, penetration, summarise
+from turnbuckle.lab.task import SHARE, TENSIONING
+from turnbuckle.model.machine import Machine, Plant
+from turnbuckle.model.symbolic.function import Status
 
 
 @pytest.fixture(scope="module")

@@ -3,9 +3,9 @@
 import pytest
 import variants
 
-from lab.demo import plan_task, plant_of
-from lab.lockstep import Lockstep, State
-from lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.lockstep import Lockstep, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
 
 SOMEWHERE = [0.15, 0.11, 0.13, 0.09]
 """Rail coordinates [m] in which the bases were left."""

@@ -12,11 +12,11 @@ import pytest
 import variants
 from rich.console import Console
 
-from codegen.bind import load
-from codegen.controller import RUNTIME_CORE, STEP, Controller
-from lab.bench import run_task
-from lab.demo import DemoResult, plan_task, plant_of, run_demo, summary_table
-from model.problem import MachineError
+from turnbuckle.codegen.bind import load
+from turnbuckle.codegen.controller import RUNTIME_CORE, STEP, Controller
+from turnbuckle.lab.bench import run_task
+from turnbuckle.lab.demo import DemoResult, plan_task, plant_of, run_demo, summary_table
+from turnbuckle.model.problem import MachineError
 
 
 def demo(tables: dict[str, Any], folder: Path) -> DemoResult:

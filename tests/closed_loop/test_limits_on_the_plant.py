@@ -10,11 +10,11 @@ import pytest
 import variants
 from seeded import runtime_with
 
-from lab.demo import plan_task, plant_of
-from lab.drives.power import MOVING
-from lab.drives.wire import Conditions
-from lab.lockstep import Lockstep, Request, State
-from lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.power import MOVING
+from turnbuckle.lab.drives.wire import Conditions
+from turnbuckle.lab.lockstep import Lockstep, Request, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
 
 DOCUMENT = variants.ROOT / "docs" / "safety.md"
 CABLES = BASES = range(4)

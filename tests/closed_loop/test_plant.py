@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from variants import STOCK
 
-from lab.hand import Hand, Path
-from lab.plant import PlanarPlant
-from lab.strand import PRESLIDING, Friction, Pair
-from model.machine import Machine, Plant, load_machine
+from turnbuckle.lab.hand import Hand, Path
+from turnbuckle.lab.plant import PlanarPlant
+from turnbuckle.lab.strand import PRESLIDING, Friction, Pair
+from turnbuckle.model.machine import Machine, Plant, load_machine
 
 CENTRE = (0.3559, 0.2309)
 

@@ -9,11 +9,11 @@ import pytest
 import variants
 from seeded import runtime_with
 
-from lab.demo import plan_task, plant_of
-from lab.drives.bus import Disturbance, Mishap
-from lab.soak.__main__ import judge, summary
-from lab.soak.pair import SoakError, soak_twice
-from lab.soak.run import Finding, SoakRun
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.bus import Disturbance, Mishap
+from turnbuckle.lab.soak.__main__ import judge, summary
+from turnbuckle.lab.soak.pair import SoakError, soak_twice
+from turnbuckle.lab.soak.run import Finding, SoakRun
 
 ROOT = Path(__file__).parents[2]
 CYCLES = 10_000

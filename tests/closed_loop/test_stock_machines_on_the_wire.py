@@ -6,12 +6,12 @@ import pytest
 import variants
 from seeded import runtime_with
 
-from codegen.bind import Generated
-from lab.demo import plan_task, plant_of
-from lab.drives.wire import Conditions
-from lab.lockstep import Lockstep, State
-from lab.machine_sim import SimulatedMachine
-from model.machine import Machine, load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.wire import Conditions
+from turnbuckle.lab.lockstep import Lockstep, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = variants.ROOT
 MACHINES = [

@@ -7,10 +7,10 @@ import pytest
 from numpy.typing import NDArray
 from variants import STOCK
 
-from lab.summary import penetration
-from lab.task import CLEARANCE, RESERVE, SHARE, Capability, Planner, Task
-from model.machine import Machine, load_machine
-from model.problem import MachineError
+from turnbuckle.lab.summary import penetration
+from turnbuckle.lab.task import CLEARANCE, RESERVE, SHARE, Capability, Planner, Task
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.problem import MachineError
 
 
 @pytest.fixture

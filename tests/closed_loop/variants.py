@@ -5,8 +5,8 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from codegen.bind import Generated
-from model.machine import load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from unmeasured import geometry, machine_named
 
-from codegen.bind import REALS, keep_text, pointer
-from codegen.compile import LIBRARIES, compile_library
-from model.machine import Machine
+from turnbuckle.codegen.bind import REALS, keep_text, pointer
+from turnbuckle.codegen.compile import LIBRARIES, compile_library
+from turnbuckle.model.machine import Machine
 
 ROOT = Path(__file__).parents[2]
 CORE = ROOT / "runtime" / "core"

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.judges.conditioning import smallest_singular_value
-from codegen.judges.tensions import amplification
-from model.machine import Machine
+from turnbuckle.codegen.judges.conditioning import smallest_singular_value
+from turnbuckle.codegen.judges.tensions import amplification
+from turnbuckle.model.machine import Machine
 
 Array = NDArray[Any]
 EPSILON = float(np.finfo(np.float64).eps)

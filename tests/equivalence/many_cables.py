@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.composite import Item
-from codegen.generate import composed
-from codegen.lower import lower
-from codegen.simplify import simplify
-from model.kind import KINDS
-from model.machine import Machine, load_machine
-from model.symbolic import tension
-from model.symbolic.wrench_norm import weights
+from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.generate import composed
+from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.kind import KINDS
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.symbolic import tension
+from turnbuckle.model.symbolic.wrench_norm import weights
 
 Doubles = NDArray[np.float64]
 

@@ -5,13 +5,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from codegen.bind import REALS, Generated
-from codegen.evaluate import DOUBLE, FLOAT, evaluate
-from codegen.generate import Model
-from codegen.hard_cases import HardSampler
-from codegen.verify import call
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate
+from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.verify import call
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 POINTS = 3000
 ARITHMETIC = {"double": DOUBLE, "float": FLOAT}

@@ -6,9 +6,9 @@ from bare_core import CLOSURE, SAMPLES, Kinematics, Part, in_slots, kinematics_o
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from codegen.bind import REALS
-from model.machine import Machine
-from model.reference import kinematics
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import kinematics
 
 Doubles = NDArray[np.float64]
 BUSY, DONE, UNOBSERVABLE, OPEN = range(4)

@@ -11,13 +11,13 @@ from kinds import Array, machine_of, structures, weighed
 from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
-from codegen.bind import Generated
-from codegen.composite import Item
-from codegen.generate import composed, lowered
-from model.kind import KINDS
-from model.machine import Machine
-from model.symbolic import comparison
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.generate import composed, lowered
+from turnbuckle.model.kind import KINDS
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import comparison
+from turnbuckle.model.symbolic.function import Status
 
 #: Every kind with one redundant cable, and with more; planar ones on either side of what is
 #: written out.

@@ -5,10 +5,10 @@ import pytest
 from numpy.typing import NDArray
 from unmeasured import STEP, compiled, machine_named
 
-from codegen.bind import REALS, Generated
-from codegen.controller import Controller
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.controller import Controller
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 Doubles = NDArray[np.float64]
 NAME = "kinematics_planar_pulleys"

@@ -11,15 +11,15 @@ from kinds import Array, machine_of, structures, weighed
 from scipy.optimize import linprog, lsq_linear
 from scipy.spatial import ConvexHull
 
-from codegen.bind import REALS, Generated
-from codegen.chain import Chain, chain
-from codegen.composite import Item
-from codegen.enumeration import enumeration
-from codegen.generate import composed, lowered
-from model.machine import Machine
-from model.symbolic import arguments, kinematic_functions, quality_by_facets, tension
-from model.symbolic.function import ModelFunction, Status, vector_output
-from model.symbolic.quality_by_facets import balance_sweep, isotropic_sweep
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.chain import Chain, chain
+from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.enumeration import enumeration
+from turnbuckle.codegen.generate import composed, lowered
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic import arguments, kinematic_functions, quality_by_facets, tension
+from turnbuckle.model.symbolic.function import ModelFunction, Status, vector_output
+from turnbuckle.model.symbolic.quality_by_facets import balance_sweep, isotropic_sweep
 
 MACHINES = [
     ("planar-rigid", 4),

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from unmeasured import EVERY_KIND, geometry, machine_named
 
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 Reals = NDArray[np.floating[Any]]
 POINTS = 2000

@@ -8,15 +8,15 @@ import pytest
 from numpy.typing import NDArray
 from unmeasured import EVERY_KIND, geometry, machine_named
 
-from codegen.bind import REALS, Generated
-from codegen.judges import motion
-from codegen.judges.problem import Problem
-from model.machine import Machine
-from model.reference.arrays import norm
-from model.reference.kinematics import cable_lengths
-from model.reference.linear import least_squares
-from model.symbolic.forward_kinematics import needs_guess
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.judges import motion
+from turnbuckle.codegen.judges.problem import Problem
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference.arrays import norm
+from turnbuckle.model.reference.kinematics import cable_lengths
+from turnbuckle.model.reference.linear import least_squares
+from turnbuckle.model.symbolic.forward_kinematics import needs_guess
+from turnbuckle.model.symbolic.function import Status
 
 Reals = NDArray[np.floating[Any]]
 POINTS = 10000

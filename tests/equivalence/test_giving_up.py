@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from unmeasured import GEOMETRY, Unmeasured, geometry, items, machine_named
 
-from codegen.accuracy import Accuracy, WorstCase
-from codegen.judges import JUDGES
-from codegen.judges.problem import GIVES_UP, Problem
-from codegen.verify import Row, Trial, call
-from model.symbolic.function import Status
+from turnbuckle.codegen.accuracy import Accuracy, WorstCase
+from turnbuckle.codegen.judges import JUDGES
+from turnbuckle.codegen.judges.problem import GIVES_UP, Problem
+from turnbuckle.codegen.verify import Row, Trial, call
+from turnbuckle.model.symbolic.function import Status
 
 NAME, POINTS = "kinematics_planar_rigid", 500
 

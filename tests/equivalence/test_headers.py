@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from codegen.accuracy import Accuracy
-from codegen.bind import REALS, Generated
-from codegen.generate import Model
-from codegen.judges import JUDGES
-from codegen.judges.problem import Problem
-from codegen.samples import Sampler
-from codegen.verify import call, drawn
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.judges import JUDGES
+from turnbuckle.codegen.judges.problem import Problem
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.codegen.verify import call, drawn
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 POINTS = 20_000
 #: Tensions are judged by the condition of each problem instead, in test_tension.

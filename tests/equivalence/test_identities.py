@@ -14,17 +14,17 @@ import pytest
 import sympy as sp
 from unmeasured import machine_named
 
-from codegen.evaluate import Arithmetic, evaluate
-from codegen.generate import Model
-from codegen.ir import Routine
-from codegen.lower import lower
-from codegen.simplify import simplify
-from model.base import BaseMotion
-from model.machine import Machine
-from model.pulley import Pulley
-from model.symbolic import forward_kinematics, kinematics, scalar, span
-from model.symbolic.function import Input, ModelFunction, make_input, matrix_output
-from model.symbolic.scalar import Matrix
+from turnbuckle.codegen.evaluate import Arithmetic, evaluate
+from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.ir import Routine
+from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.base import BaseMotion
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.pulley import Pulley
+from turnbuckle.model.symbolic import forward_kinematics, kinematics, scalar, span
+from turnbuckle.model.symbolic.function import Input, ModelFunction, make_input, matrix_output
+from turnbuckle.model.symbolic.scalar import Matrix
 
 x, y = sp.symbols("x y", positive=True)
 s1, s2, s3, s4 = RAILS = sp.symbols("s1:5", positive=True)

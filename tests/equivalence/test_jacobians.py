@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from unmeasured import EVERY_KIND, geometry, machine_named
 
-from codegen.bind import Generated
-from model.machine import Machine
-from model.pulley import Pulley
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.pulley import Pulley
+from turnbuckle.model.symbolic.function import Status
 
 Doubles = NDArray[np.float64]
 MACHINES = ["yoon2023", *EVERY_KIND]

@@ -6,13 +6,13 @@ from pathlib import Path
 import pytest
 from built import optimised
 
-import codegen.verify
-from codegen import accuracy, accuracy_cache
-from codegen.accuracy import Accuracy
-from codegen.bind import REALS, Generated, folder_of
-from codegen.generate import Model, build_model, render
-from codegen.verify import Row, Trial, verify
-from model.machine import load_machine
+import turnbuckle.codegen.verify
+from turnbuckle.codegen import accuracy, accuracy_cache
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.bind import REALS, Generated, folder_of
+from turnbuckle.codegen.generate import Model, build_model, render
+from turnbuckle.codegen.verify import Row, Trial, verify
+from turnbuckle.model.machine import load_machine
 
 MACHINES = sorted((Path(__file__).parents[1] / "machines").glob("*.toml"))
 POINTS = 100
@@ -94,7 +94,7 @@ def test_points_in_blocks_on_all_cores_are_all_judged(
     stock_file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = verify(stock_file, points=100)
-    monkeypatch.setattr(codegen.verify, "BLOCK", 40)
+    monkeypatch.setattr(turnbuckle.codegen.verify, "BLOCK", 40)
     parts = verify(stock_file, points=100)
     assert parts.passed
     for one, several in zip(whole.rows, parts.rows, strict=True):

@@ -22,15 +22,15 @@ from many_cables import (
 )
 from numpy.typing import NDArray
 
-from codegen.bind import REALS, Generated
-from codegen.composite import Item, Loop
-from codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
-from codegen.verify import call
-from model.machine import Machine
-from model.symbolic.function import Status
-from model.symbolic.nearest_wrench import BEYOND
-from model.symbolic.tension import INWARDS, KKT_TOLERANCE, OFF_BORDER
-from model.symbolic.wrench_norm import weights
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.composite import Item, Loop
+from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
+from turnbuckle.codegen.verify import call
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.nearest_wrench import BEYOND
+from turnbuckle.model.symbolic.tension import INWARDS, KKT_TOLERANCE, OFF_BORDER
+from turnbuckle.model.symbolic.wrench_norm import weights
 
 COUNT = 6_000
 #: Most cables with which what is composed of loops is evaluated in Python too, which takes long.

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from unmeasured import EVERY_KIND, compiled, geometry, machine_named
 
-from codegen.bind import Generated
-from model.machine import Machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.model.machine import Machine
 
 Doubles = NDArray[np.float64]
 POSES = 200

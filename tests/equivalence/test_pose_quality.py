@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from codegen.bind import Generated, generate_into_build
-from codegen.hard_cases import HardSampler
-from codegen.judges.tensions import TENSION_ROUNDINGS
-from codegen.samples import Sampler
-from codegen.verify import verify
-from model.machine import Machine, load_machine
-from model.symbolic.function import Status
-from model.symbolic.tension import QUICK_TOLERANCE
+from turnbuckle.codegen.bind import Generated, generate_into_cache
+from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.judges.tensions import TENSION_ROUNDINGS
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.codegen.verify import verify
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.tension import QUICK_TOLERANCE
 
 POINTS = 20_000
 
@@ -84,7 +84,7 @@ def test_outside_the_workspace_the_margin_says_how_far(double: Generated) -> Non
 
 def test_without_pretension_there_is_a_margin_but_no_factor(without_pretension: Path) -> None:
     machine = load_machine(without_pretension)
-    generated = Generated(machine, generate_into_build(machine), "double")
+    generated = Generated(machine, generate_into_cache(machine), "double")
     middle = np.array(machine.target.centre)
     both = generated.pose_quality(middle, generated.base_targets(middle))
     assert both.status == Status.OK

@@ -9,17 +9,17 @@ import pytest
 from kkt import EPSILON, KnownProblems, conditioned, known_problems, wrench_rounding
 from numpy.typing import NDArray
 
-from codegen.bind import Generated
-from codegen.hard_cases import HardSampler
-from codegen.judges.problem import Problem
-from codegen.judges.tensions import distribution
-from codegen.samples import Sampler
-from model.machine import Machine, load_machine
-from model.reference.optimality import optimality_gap
-from model.reference.tension import POLICIES, distribute_tension
-from model.reference.wrench_set import slabs
-from model.symbolic.function import Status
-from model.symbolic.tension import INWARDS
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.judges.problem import Problem
+from turnbuckle.codegen.judges.tensions import distribution
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.reference.optimality import optimality_gap
+from turnbuckle.model.reference.tension import POLICIES, distribute_tension
+from turnbuckle.model.reference.wrench_set import slabs
+from turnbuckle.model.symbolic.function import Status
+from turnbuckle.model.symbolic.tension import INWARDS
 
 Doubles = NDArray[np.float64]
 

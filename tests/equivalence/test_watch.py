@@ -8,9 +8,9 @@ import pytest
 from bare_core import CLOSURE, CORE, Kinematics, Part, in_slots, kinematics_of, slots, source
 from numpy.typing import NDArray
 
-from codegen.bind import REALS
-from model.machine import Machine
-from model.reference import kinematics
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import kinematics
 
 Doubles = NDArray[np.float64]
 BRIDGED = 5

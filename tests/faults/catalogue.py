@@ -12,10 +12,10 @@ from math import inf, nan
 
 from journey import BEFORE_SERVICE, GUIDED, POWERED, SERVICE
 
-from lab.drives.bus import Disturbance, Frame, Mishap
-from lab.drives.drive import Drive
-from lab.drives.setup import Identity, Setup
-from lab.lockstep import BusState, Lockstep
+from turnbuckle.lab.drives.bus import Disturbance, Frame, Mishap
+from turnbuckle.lab.drives.drive import Drive
+from turnbuckle.lab.drives.setup import Identity, Setup
+from turnbuckle.lab.lockstep import BusState, Lockstep
 
 SYNC, TPDO, RPDO, SDO_ANSWER, HEARTBEAT = 0x080, 0x180, 0x200, 0x580, 0x700
 MASTERS_HEARTBEAT = 0x77F

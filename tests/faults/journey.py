@@ -7,13 +7,13 @@ from pathlib import Path
 from observer import Observer
 from supervised import Phase
 
-from codegen.bind import Generated
-from lab.bus_tap import SetpointWatch
-from lab.demo import plan_task, plant_of
-from lab.drives.wire import Conditions
-from lab.lockstep import Lockstep, Request, State
-from lab.machine_sim import ORDINARY, SimulatedMachine
-from model.machine import Machine, load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.bus_tap import SetpointWatch
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.wire import Conditions
+from turnbuckle.lab.lockstep import Lockstep, Request, State
+from turnbuckle.lab.machine_sim import ORDINARY, SimulatedMachine
+from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 

@@ -7,14 +7,14 @@ from forked import in_a_fork
 from journey import NEAR_THEIR_STOPS
 from observer import Observer
 
-from codegen.bind import Generated
-from lab.demo import plan_task, plant_of
-from lab.drives.bus import Listener, SimulatedBus
-from lab.drives.node import Frame
-from lab.drives.power import Power
-from lab.drives.wire import Conditions
-from lab.lockstep import Lockstep, Request, State
-from lab.machine_sim import SimulatedMachine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.bus import Listener, SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.power import Power
+from turnbuckle.lab.drives.wire import Conditions
+from turnbuckle.lab.lockstep import Lockstep, Request, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
 
 BEFORE = 10
 """Cycles that a tape begins before something is done."""

@@ -9,7 +9,7 @@ from pairs import Pair
 from trial import TRANSPORT, Outcome
 from verdict import CAUSES, HARD, NUMBERS, SLOWEST_BUS, motion
 
-from lab.lockstep import State
+from turnbuckle.lab.lockstep import State
 
 STOPS = ("SOFT_STOP", "HARD_STOP", "FAULT")
 DETECTED = int(NUMBERS["TB_MISSED_LIMIT"] + 1) * SLOWEST_BUS

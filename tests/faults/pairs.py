@@ -9,7 +9,7 @@ from forked import in_a_fork
 from journey import NAMES, Bench, Moment, moment_of
 from trial import AFTERWARDS, Outcome, Trial
 
-from lab.lockstep import Lockstep, Request
+from turnbuckle.lab.lockstep import Lockstep, Request
 
 SPANS = {
     "INIT": (1, 100),

@@ -11,7 +11,7 @@ from pairs import LATER, pair
 from trial import Outcome
 from verdict import BOUNDS, CAUSES, measured
 
-from codegen.bind import keep_text
+from turnbuckle.codegen.bind import keep_text
 
 BUILD = Path(__file__).parents[2] / "build"
 RESULTS = BUILD / "fault_campaign"

@@ -5,7 +5,7 @@ from struct import Struct
 
 from observed import BEFORE, Heard
 
-from lab.drives.node import Frame
+from turnbuckle.lab.drives.node import Frame
 
 SETPOINT, ANSWER = Struct("<Hh"), Struct("<Hih")
 RPDO, TPDO, NODE, MASTERS_BEAT = 0x200, 0x180, 0x07F, 0x77F

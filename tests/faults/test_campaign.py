@@ -12,7 +12,7 @@ from table import keep
 from trial import Outcome, Trial
 from verdict import complaints, expected
 
-from lab.lockstep import Request, State
+from turnbuckle.lab.lockstep import Request, State
 
 TRIED = [
     moment

@@ -16,8 +16,9 @@ from pairs import Pair, run
 from trial import Trial
 from verdict import complaints, expected
 
-from codegen.bind import keep_text
-from lab.lockstep import FOLDERS, RUNTIME, load
+from turnbuckle.codegen.bind import keep_text
+from turnbuckle.lab.lockstep import FOLDERS, load
+from turnbuckle.places import RUNTIME
 
 BUILD = Path(__file__).parents[2] / "build" / "defects"
 HEADER = "extern int seeded;\n"

@@ -12,12 +12,12 @@ from observed import MOMENTS, Observed
 from observer import Promise
 from observer.causes import Cause
 
-from codegen.bind import Generated
-from lab.drives.bus import Disturbance, Mishap
-from lab.drives.node import Frame
-from lab.drives.setup import Setup
-from lab.drives.wire import Conditions
-from lab.lockstep import BusState, Lockstep, Request, State
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.drives.bus import Disturbance, Mishap
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.setup import Setup
+from turnbuckle.lab.drives.wire import Conditions
+from turnbuckle.lab.lockstep import BusState, Lockstep, Request, State
 
 ANSWER, SETPOINT, SYNC, MASTERS_BEAT, BEAT = 0x180, 0x200, 0x080, 0x77F, 0x700
 STATE_TIMEOUT = 2000

@@ -27,8 +27,8 @@ from tampering import (
     without,
 )
 
-from lab.drives.node import Frame
-from lab.lockstep import Lockstep
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.lockstep import Lockstep
 
 LONG = 460
 """Cycles of a tape: a soft stop, and what is switched off in its end."""

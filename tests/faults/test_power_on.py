@@ -9,7 +9,7 @@ from journey import Journey, moment_of
 from trial import Outcome, Trial
 from verdict import CAUSES, motion
 
-from lab.lockstep import Lockstep, Request
+from turnbuckle.lab.lockstep import Lockstep, Request
 
 READY = moment_of("CONFIGURE READY")
 HOMED = 11_000

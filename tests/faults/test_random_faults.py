@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from journey import MOMENTS, Bench, Journey, Moment
 
-from lab.drives.power import MOVING
-from lab.lockstep import Lockstep, Request, State
+from turnbuckle.lab.drives.power import MOVING
+from turnbuckle.lab.lockstep import Lockstep, Request, State
 
 ACTIVE = 150
 """Cycles in which faults strike."""

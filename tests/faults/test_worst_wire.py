@@ -11,7 +11,7 @@ from pairs import outcomes, pair
 from trial import Outcome, Trial
 from verdict import complaints, expected
 
-from lab.drives.wire import Conditions
+from turnbuckle.lab.drives.wire import Conditions
 
 TRIED = [moment_of(name) for name in ("HOME SWEEP", "TENSION", "RUN")]
 FAULTS_EACH, PAIRS_EACH = 40, 25

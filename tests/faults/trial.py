@@ -8,8 +8,8 @@ from catalogue import Fault
 from journey import Bench
 from supervised import Phase
 
-from lab.drives.power import MOVING
-from lab.lockstep import Lockstep, Request, State
+from turnbuckle.lab.drives.power import MOVING
+from turnbuckle.lab.lockstep import Lockstep, Request, State
 
 AFTERWARDS = 20
 """Cycles for which a machine without torque is looked at."""

@@ -9,7 +9,7 @@ from journey import BEFORE_SERVICE, Moment
 from safety_table import DOCUMENT, Row, bounds, constants, rows
 from trial import TRANSPORT, Outcome
 
-from lab.lockstep import State
+from turnbuckle.lab.lockstep import State
 
 NUMBERS = constants(DOCUMENT.parents[1] / "generated" / "yoon2023")
 TABLE = {row.cause: row for row in rows()}

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lab.benchmark.cortex_m4.build import program
-from lab.benchmark.cortex_m4.comparison import COMMON, CountRow, count_instructions
-from lab.benchmark.cortex_m4.emulator import Emulator
-from model.machine import load_machine
+from turnbuckle.lab.benchmark.cortex_m4.build import program
+from turnbuckle.lab.benchmark.cortex_m4.comparison import COMMON, CountRow, count_instructions
+from turnbuckle.lab.benchmark.cortex_m4.emulator import Emulator
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 C = """

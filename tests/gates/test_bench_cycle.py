@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from codegen.bind import Generated
-from lab.benchmark.cycle.cost import CycleRow, Replay, time_work
-from lab.benchmark.cycle.recording import Cycles, Recorder
-from lab.benchmark.targets import cycle_target
-from lab.benchmark.timing import Timing
-from model.machine import load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.benchmark.cycle.cost import CycleRow, Replay, time_work
+from turnbuckle.lab.benchmark.cycle.recording import Cycles, Recorder
+from turnbuckle.lab.benchmark.targets import cycle_target
+from turnbuckle.lab.benchmark.timing import Timing
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 

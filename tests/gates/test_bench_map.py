@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from codegen.pose_map import Grid
-from lab.benchmark.map.comparison import (
+from turnbuckle.codegen.pose_map import Grid
+from turnbuckle.lab.benchmark.map.comparison import (
     LARGE,
     LOOP,
     NUMPY,
@@ -21,10 +21,10 @@ from lab.benchmark.map.comparison import (
     compare,
     mappers,
 )
-from lab.benchmark.map.scene import Scene, scenes
-from lab.benchmark.targets import map_targets
-from lab.benchmark.timing import Timing
-from model.machine import Machine, load_machine
+from turnbuckle.lab.benchmark.map.scene import Scene, scenes
+from turnbuckle.lab.benchmark.targets import map_targets
+from turnbuckle.lab.benchmark.timing import Timing
+from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 #: Rounding that margin and factor of exact methods may differ by, in units of eps and of T_max.

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lab.benchmark.step.comparison import casadi_step, our_step
-from lab.benchmark.step.motion import recorded_inputs
-from lab.benchmark.tension_problems import Reals
-from model.machine import Machine, load_machine
+from turnbuckle.lab.benchmark.step.comparison import casadi_step, our_step
+from turnbuckle.lab.benchmark.step.motion import recorded_inputs
+from turnbuckle.lab.benchmark.tension_problems import Reals
+from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 CYCLES = 3000

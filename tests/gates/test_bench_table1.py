@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lab.benchmark.solvers.kernel import DAQP, QUADPROG, kernel_daqp
-from lab.benchmark.solvers.reduced import REDUCED
-from lab.benchmark.solvers.solver import Solver
-from lab.benchmark.solvers.turnbuckle import OURS
-from lab.benchmark.table1 import (
+from turnbuckle.lab.benchmark.solvers.kernel import DAQP, QUADPROG, kernel_daqp
+from turnbuckle.lab.benchmark.solvers.reduced import REDUCED
+from turnbuckle.lab.benchmark.solvers.solver import Solver
+from turnbuckle.lab.benchmark.solvers.turnbuckle import OURS
+from turnbuckle.lab.benchmark.table1 import (
     FORCE,
     Excess,
     Table1,
@@ -19,11 +19,11 @@ from lab.benchmark.table1 import (
     table1_solvers,
     tensions,
 )
-from lab.benchmark.targets import table1_target
-from lab.benchmark.tension import Agreement, Row, TensionTable, compare
-from lab.benchmark.tension_problems import TensionProblems
-from lab.benchmark.timing import Timing
-from model.machine import load_machine
+from turnbuckle.lab.benchmark.targets import table1_target
+from turnbuckle.lab.benchmark.tension import Agreement, Row, TensionTable, compare
+from turnbuckle.lab.benchmark.tension_problems import TensionProblems
+from turnbuckle.lab.benchmark.timing import Timing
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 #: Rounding that the tensions of two exact methods may differ by, in units of eps T_max.

@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lab.benchmark.solvers.qrqp import qrqp
-from lab.benchmark.solvers.quadprog import QUADPROG
-from lab.benchmark.solvers.solver import Answers, Solver
-from lab.benchmark.solvers.turnbuckle import turnbuckle
-from lab.benchmark.targets import Target
-from lab.benchmark.tension import Reference, compare
-from lab.benchmark.tension_problems import TensionProblems, tension_problems
-from lab.benchmark.timing import time_in_turn
-from model.machine import Machine, load_machine
+from turnbuckle.lab.benchmark.solvers.qrqp import qrqp
+from turnbuckle.lab.benchmark.solvers.quadprog import QUADPROG
+from turnbuckle.lab.benchmark.solvers.solver import Answers, Solver
+from turnbuckle.lab.benchmark.solvers.turnbuckle import turnbuckle
+from turnbuckle.lab.benchmark.targets import Target
+from turnbuckle.lab.benchmark.tension import Reference, compare
+from turnbuckle.lab.benchmark.tension_problems import TensionProblems, tension_problems
+from turnbuckle.lab.benchmark.timing import time_in_turn
+from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 GENERATED = ROOT / "generated" / "yoon2023"

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from codegen.accuracy import Accuracy
-from codegen.generate import Model, render
-from model.machine import load_machine
-from turnbuckle import app
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.generate import Model, render
+from turnbuckle.command_line import app
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
@@ -51,7 +51,7 @@ def test_a_wrong_sign_in_the_generated_c_fails_verification(
 
     path = tmp_path / "seeded.toml"
     path.write_text(STOCK.read_text().replace('"yoon2023"', '"seeded"'))
-    monkeypatch.setattr("codegen.verify.render", seeded)
+    monkeypatch.setattr("turnbuckle.codegen.verify.render", seeded)
     result = CliRunner().invoke(app, ["verify", str(path), "--points", "200"])
     assert result.exit_code == 1
     assert "FAILED wall_force, force, double" in result.stdout

@@ -10,16 +10,16 @@ from pathlib import Path
 
 import pytest
 
-from codegen.accuracy import Accuracy
-from codegen.generate import Model, render
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.generate import Model, render
 
 ROOT = Path(__file__).parents[2]
 REGENERATE = """
 import hashlib, sys
 from pathlib import Path
-import codegen.accuracy_cache as cache
-from codegen.generate import build_model, render
-from model.machine import load_machine
+import turnbuckle.codegen.accuracy_cache as cache
+from turnbuckle.codegen.generate import build_model, render
+from turnbuckle.model.machine import load_machine
 machine = load_machine(sys.argv[1])
 model = build_model(machine)
 cache.CACHE = Path(sys.argv[2])

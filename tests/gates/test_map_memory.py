@@ -10,10 +10,10 @@ ROOT = Path(__file__).parents[2]
 MAP = """
 import re, sys
 from pathlib import Path
-from codegen.bind import Generated
-from codegen.map_tally import tally
-from codegen.pose_map import PoseMap, target_grid
-from model.machine import load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.map_tally import tally
+from turnbuckle.codegen.pose_map import PoseMap, target_grid
+from turnbuckle.model.machine import load_machine
 machine = load_machine("machines/yoon2023.toml")
 generated = Generated(machine, Path("generated/yoon2023"), "double")
 columns, rows = int(sys.argv[1]), int(sys.argv[2])

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from codegen.accuracy import Accuracy
-from codegen.bind import Generated
-from codegen.generate import Model
-from codegen.verify import Trial
+from turnbuckle.codegen.accuracy import Accuracy
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.verify import Trial
 
 POINTS = 250
 FUNCTION = re.compile(r"^tb_status tb_(\w+)\([^{;]*\)\n\{\n(.*?)^\}", re.M | re.S)

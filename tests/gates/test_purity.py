@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen.purity import PurityError, impurities
+from turnbuckle.codegen.purity import PurityError, impurities
 
 CORE = Path(__file__).parents[2] / "runtime" / "core"
 SEEDED = {

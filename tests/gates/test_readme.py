@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
-from model.machine import json_schema
-from model.symbolic.function import Status
-from turnbuckle import app
+from turnbuckle.command_line import app
+from turnbuckle.model.machine import json_schema
+from turnbuckle.model.symbolic.function import Status
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text()

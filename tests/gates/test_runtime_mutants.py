@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from lab.mutants.draw import drawn, sources
-from lab.mutants.mutation import Mutation, mutations
-from lab.mutants.report import judge
-from lab.mutants.trial import SURVIVES, Verdict
+from turnbuckle.lab.mutants.draw import drawn, sources
+from turnbuckle.lab.mutants.mutation import Mutation, mutations
+from turnbuckle.lab.mutants.report import judge
+from turnbuckle.lab.mutants.trial import SURVIVES, Verdict
 
 ROOT = Path(__file__).parents[2]
 COUNT, SEED = 8, 4
@@ -19,11 +19,11 @@ COUNT, SEED = 8, 4
 TRY = """
 import json, sys
 from pathlib import Path
-from lab.mutants.kept import Verdicts
-from lab.mutants.mutation import Mutation
-from lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
-from lab.mutants.suites import JOURNEY, suite_of
-from lab.mutants.trial import prepare
+from turnbuckle.lab.mutants.kept import Verdicts
+from turnbuckle.lab.mutants.mutation import Mutation
+from turnbuckle.lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
+from turnbuckle.lab.mutants.suites import JOURNEY, suite_of
+from turnbuckle.lab.mutants.trial import prepare
 given = json.load(sys.stdin)
 try:
     unchanged_passes(given["unchanged"])

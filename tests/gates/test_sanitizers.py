@@ -19,9 +19,9 @@ CALL_EVERYTHING = """
 import sys
 from pathlib import Path
 import numpy as np
-from codegen.bind import Generated
-from codegen.hard_cases import HardSampler
-from model.machine import load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.model.machine import load_machine
 
 machine = load_machine(sys.argv[1])
 for precision in ("double", "float"):

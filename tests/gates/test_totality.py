@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from codegen.bind import REALS, Generated, GeneratedFunction
-from codegen.generate import Model
-from codegen.samples import Sampler
-from codegen.verify import call
-from model.machine import Machine
-from model.symbolic.function import ModelFunction, Status
+from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction
+from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.samples import Sampler
+from turnbuckle.codegen.verify import call
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import ModelFunction, Status
 
 BASE_POINTS = 12
 EXTREMES = ["nan", "inf", "-inf", "1e30", "-1e30", "largest", "smallest", "0", "-0.0", "1", "-1"]

@@ -8,9 +8,9 @@ from bus_simulation import longest_responses
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from model.bus.frames import Pace, messages
-from model.bus.response import Message, frame_bits, response_time, utilisation
-from model.bus.tables import Drive
+from turnbuckle.model.bus.frames import Pace, messages
+from turnbuckle.model.bus.response import Message, frame_bits, response_time, utilisation
+from turnbuckle.model.bus.tables import Drive
 
 DURATION = 60_000
 

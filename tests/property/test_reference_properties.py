@@ -7,18 +7,18 @@ import numpy.typing as npt
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from model.machine import Cable, Machine, load_machine
-from model.reference.kinematics import (
+from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.reference.kinematics import (
     cable_lengths,
     forward_kinematics,
     length_jacobian,
     structure_matrix,
 )
-from model.reference.optimality import optimality_gap
-from model.reference.planar import minors, norm
-from model.reference.quality import isotropic_force, isotropic_force_eq17, tension_factor
-from model.reference.statics import wrench
-from model.reference.tension import distribute_tension, wrench_feasible
+from turnbuckle.model.reference.optimality import optimality_gap
+from turnbuckle.model.reference.planar import minors, norm
+from turnbuckle.model.reference.quality import isotropic_force, isotropic_force_eq17, tension_factor
+from turnbuckle.model.reference.statics import wrench
+from turnbuckle.model.reference.tension import distribute_tension, wrench_feasible
 
 Doubles = npt.NDArray[np.floating[Any]]
 STOCK = load_machine("machines/yoon2023.toml")

@@ -10,14 +10,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from model.workspace.feasible import (
+from turnbuckle.model.workspace.feasible import (
     ball_margin,
     smallest_singular_value,
     wrench_closure,
     wrench_margin,
 )
-from model.workspace.force import force_along, isotropic_force, tension_factor
-from model.workspace.max_tension import needed_tension
+from turnbuckle.model.workspace.force import force_along, isotropic_force, tension_factor
+from turnbuckle.model.workspace.max_tension import needed_tension
 
 Doubles = npt.NDArray[np.float64]
 LOWER, UPPER = 1.0, 10.0

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.bind import Generated
-from codegen.controller import RUNTIME_CORE, Controller
-from model.machine import Machine, load_machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.controller import RUNTIME_CORE, Controller
+from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 

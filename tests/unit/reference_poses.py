@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine, load_machine
 
 Wide = npt.NDArray[np.floating[Any]]
 NAMES = [

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from model.machine import Machine, load_machine
-from model.reference.control import base_targets
-from model.workspace.extent import least_margin, tension_capable, theoretical_share
-from model.workspace.feasible import ball_margin
-from model.workspace.quality import pose_quality, possible_share, wanted_margin
-from model.workspace.structures import structures, target_demand
-from model.workspace.summary import (
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.extent import least_margin, tension_capable, theoretical_share
+from turnbuckle.model.workspace.feasible import ball_margin
+from turnbuckle.model.workspace.quality import pose_quality, possible_share, wanted_margin
+from turnbuckle.model.workspace.structures import structures, target_demand
+from turnbuckle.model.workspace.summary import (
     COARSE_FACETS,
     TargetSummary,
     coarse_grid,

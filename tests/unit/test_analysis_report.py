@@ -5,13 +5,13 @@ from pathlib import Path
 
 import pytest
 
-from lab.analysis.analyze import find
-from lab.analysis.compare import changed_keys, compare
-from lab.analysis.figures import Figure, Findings, figures
-from lab.analysis.quantities import lag_quantity, quantities
-from lab.analysis.report import as_json, as_markdown, rows, verdict
-from model.machine import Machine, load_machine
-from model.workspace.words import percent
+from turnbuckle.lab.analysis.analyze import find
+from turnbuckle.lab.analysis.compare import changed_keys, compare
+from turnbuckle.lab.analysis.figures import Figure, Findings, figures
+from turnbuckle.lab.analysis.quantities import lag_quantity, quantities
+from turnbuckle.lab.analysis.report import as_json, as_markdown, rows, verdict
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.workspace.words import percent
 
 ROOT = Path(__file__).parents[2]
 LAG = 0.02

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from codegen.evaluate import DOUBLE, FLOAT, Arithmetic, evaluate
-from codegen.lower import lower
-from codegen.simplify import simplify
-from model.symbolic.angle import (
+from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, Arithmetic, evaluate
+from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.symbolic.angle import (
     arc_tangent,
     planar_rotation,
     rotation_vector_rate,
     spatial_rotation,
 )
-from model.symbolic.function import Input, ModelFunction, make_input, vector_output
-from model.symbolic.scalar import Vector
+from turnbuckle.model.symbolic.function import Input, ModelFunction, make_input, vector_output
+from turnbuckle.model.symbolic.scalar import Vector
 
 Wide = NDArray[np.longdouble]
 POINTS = 20000

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from codegen.bind import Generated
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.model.symbolic.function import Status
 
 POSE, RAILS = [0.3, 0.2], [0.3, 0.2, 0.3, 0.2]
 

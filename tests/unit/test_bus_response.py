@@ -2,9 +2,15 @@
 
 import pytest
 
-from model.bus.frames import Pace, cyclic, messages
-from model.bus.response import Message, frame_bits, recovery_bits, response_time, utilisation
-from model.bus.tables import Drive
+from turnbuckle.model.bus.frames import Pace, cyclic, messages
+from turnbuckle.model.bus.response import (
+    Message,
+    frame_bits,
+    recovery_bits,
+    response_time,
+    utilisation,
+)
+from turnbuckle.model.bus.tables import Drive
 
 
 def drives(count: int) -> list[Drive]:

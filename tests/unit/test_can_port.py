@@ -27,8 +27,8 @@ from frames import any_frames
 from hypothesis import given
 from hypothesis import strategies as st
 
-from codegen.compile import compile_library
-from codegen.purity import impurities
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.codegen.purity import impurities
 
 NO_OPERATING_SYSTEM = [CAN / name for name in ("can.c", "loopback.c", "slcan_text.c")]
 

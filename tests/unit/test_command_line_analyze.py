@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-import codegen.folder
-import codegen.generate
-from lab.analysis import plots, slices
-from turnbuckle import app
+import turnbuckle.codegen.folder
+import turnbuckle.codegen.generate
+from turnbuckle.command_line import app
+from turnbuckle.lab.analysis import plots, slices
 
 ROOT = Path(__file__).parents[2]
 GOOD, BAD = (ROOT / "machines" / f"{name}.toml" for name in ("brau_square", "yoon_fixed_diagonal"))
@@ -104,7 +104,9 @@ def test_a_folder_with_other_content_is_left_alone(
 
 
 def test_generated_c_is_not_replaced_by_a_report(tmp_path: Path) -> None:
-    codegen.generate.write({codegen.generate.MANIFEST: '{"files": {}}'}, tmp_path / "out")
+    turnbuckle.codegen.generate.write(
+        {turnbuckle.codegen.generate.MANIFEST: '{"files": {}}'}, tmp_path / "out"
+    )
     assert_refused(run("analyze", GOOD, "--out", "out"), "manifest.json", "analysis.json")
 
 
@@ -116,7 +118,7 @@ def test_a_full_disk_leaves_nothing_half_written(
         (folder / "report.md").write_text("half a rep")
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
-    monkeypatch.setattr(codegen.folder, "fill", full)
+    monkeypatch.setattr(turnbuckle.codegen.folder, "fill", full)
     assert_refused(run(*command, "--out", "out"), "No space left on device", "--out")
     assert not list(tmp_path.iterdir())
 
@@ -171,8 +173,8 @@ def test_compare_refuses_a_bad_machine_file_with_its_key(which: int, tmp_path: P
 @pytest.fixture
 def quick_c(monkeypatch: pytest.MonkeyPatch) -> None:
     """Generation takes no time."""
-    files = {codegen.generate.MANIFEST: '{"hash": "0", "functions": {}, "aliases": {}}'}
-    monkeypatch.setattr(codegen.generate, "generate", lambda machine: files)
+    files = {turnbuckle.codegen.generate.MANIFEST: '{"hash": "0", "functions": {}, "aliases": {}}'}
+    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", lambda machine: files)
 
 
 @pytest.mark.usefixtures("quick_c")

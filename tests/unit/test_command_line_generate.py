@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-import codegen.generate
-from codegen.generate import generate
-from model.machine import load_machine
-from turnbuckle import app
+import turnbuckle.codegen.generate
+from turnbuckle.codegen.generate import generate
+from turnbuckle.command_line import app
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
@@ -29,7 +29,7 @@ def files() -> dict[str, str]:
 @pytest.fixture
 def run(files: dict[str, str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """Generation takes no time in these tests; they run in an empty folder."""
-    monkeypatch.setattr(codegen.generate, "generate", lambda machine: files)
+    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", lambda machine: files)
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

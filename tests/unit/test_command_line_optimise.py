@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-import lab.design.search
-from model.machine import load_machine
-from turnbuckle import app
+import turnbuckle.lab.design.search
+from turnbuckle.command_line import app
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
@@ -139,7 +139,7 @@ def test_an_interrupt_while_searching_is_told(
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(lab.design.search, "global_search", interrupt)
+    monkeypatch.setattr(turnbuckle.lab.design.search, "global_search", interrupt)
     result = optimise(DIAGONAL, "--vary", MIRRORED)
     assert (result.exit_code, result.stderr) == (INTERRUPTED, "turnbuckle: interrupted\n")
     assert not list(folder.iterdir())

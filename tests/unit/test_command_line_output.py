@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from model.machine import load_machine
-from turnbuckle import app
+from turnbuckle.command_line import app
+from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-import codegen.generate
-from codegen.compile import CompileError
-from turnbuckle import app
+import turnbuckle.codegen.generate
+from turnbuckle.codegen.compile import CompileError
+from turnbuckle.command_line import app
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
@@ -74,7 +74,7 @@ def test_a_full_disk_is_told_in_words(tmp_path: Path, monkeypatch: pytest.Monkey
     def full(*_: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(tmp_path / "out"))
 
-    monkeypatch.setattr(codegen.generate, "write", full)
+    monkeypatch.setattr(turnbuckle.codegen.generate, "write", full)
     result = run("generate", STOCK, "--out", tmp_path / "out")
     assert_refused(result, f"{tmp_path / 'out'}: No space left on device")
 
@@ -90,7 +90,7 @@ def test_what_the_compiler_says_reaches_the_user(
     def refuse(*_: object) -> None:
         raise CompileError("gcc failed: tb_types.h:1: error [-Werror]")
 
-    monkeypatch.setattr("lab.demo.run_demo", refuse)
+    monkeypatch.setattr("turnbuckle.lab.demo.run_demo", refuse)
     assert_refused(run("demo", STOCK, "--out", tmp_path), "gcc failed", "[-Werror]")
 
 
@@ -100,7 +100,7 @@ def test_an_interrupt_ends_with_the_status_of_an_interrupt(
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(codegen.generate, "generate", interrupt)
+    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", interrupt)
     result = run("generate", STOCK)
     assert result.exit_code == INTERRUPTED
     assert result.stderr == "turnbuckle: interrupted\n"
@@ -122,7 +122,7 @@ def test_a_mistake_of_ours_is_not_hidden(monkeypatch: pytest.MonkeyPatch) -> Non
     def stumble(*_: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(codegen.generate, "generate", stumble)
+    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", stumble)
     assert isinstance(run("generate", STOCK).exception, ZeroDivisionError)
 
 

@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner, Result
 
-import codegen.verify
-from codegen.verify import POINTS, Report, Row
-from turnbuckle import app
+import turnbuckle.codegen.verify
+from turnbuckle.codegen.verify import POINTS, Report, Row
+from turnbuckle.command_line import app
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
@@ -34,7 +34,7 @@ def run(
         progress("wrench", 0, 2)
         return Report("yoon2023", "0123456789abcdef", 1, rows)
 
-    monkeypatch.setattr(codegen.verify, "verify", verify)
+    monkeypatch.setattr(turnbuckle.codegen.verify, "verify", verify)
     return CliRunner().invoke(app, ["verify", str(STOCK), *arguments]), asked
 
 

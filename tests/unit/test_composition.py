@@ -9,13 +9,13 @@ from built import answered, built
 from numpy.typing import NDArray
 from test_sweep import COLUMNS, ROWS, longest_sum
 
-from codegen.bind import REALS
-from codegen.chain import Chain, chain
-from codegen.composite import Item, cost, fingerprint, most_visits
-from codegen.generate import lowered
-from model.machine import Machine
-from model.symbolic.composition import Call, Composition
-from model.symbolic.function import (
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.codegen.chain import Chain, chain
+from turnbuckle.codegen.composite import Item, cost, fingerprint, most_visits
+from turnbuckle.codegen.generate import lowered
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.composition import Call, Composition
+from turnbuckle.model.symbolic.function import (
     ModelFunction,
     Output,
     Status,
@@ -25,7 +25,7 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.scalar import where
+from turnbuckle.model.symbolic.scalar import where
 
 FALLBACK = -2.0
 

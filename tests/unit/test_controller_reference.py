@@ -8,10 +8,10 @@ import pytest
 from motion import committed, recorded, with_defect
 from numpy.typing import NDArray
 
-from codegen.controller import Controller, Outputs
-from model.machine import Machine
-from model.reference import control, kinematics, statics, tension
-from model.symbolic.function import Status
+from turnbuckle.codegen.controller import Controller, Outputs
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import control, kinematics, statics, tension
+from turnbuckle.model.symbolic.function import Status
 
 Reals = NDArray[np.floating[Any]]
 CYCLES = 1500

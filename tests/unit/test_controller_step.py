@@ -9,10 +9,10 @@ import pytest
 from motion import committed, recorded, with_defect
 from numpy.typing import NDArray
 
-from codegen.bind import Generated
-from codegen.controller import UNCOMPENSATED, Controller, Outputs
-from model.machine import Machine
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.controller import UNCOMPENSATED, Controller, Outputs
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import Status
 
 CYCLES = 400
 

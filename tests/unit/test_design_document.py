@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from lab.design.document import Changes, Document
-from model.machine import MachineError, load_machine
+from turnbuckle.lab.design.document import Changes, Document
+from turnbuckle.model.machine import MachineError, load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from lab.design import DesignError
-from lab.design.design import Design, Outcome
-from lab.design.files import Lines, write_whole
-from lab.design.goal import Score
-from lab.design.results import Kept, Results
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design, Outcome
+from turnbuckle.lab.design.files import Lines, write_whole
+from turnbuckle.lab.design.goal import Score
+from turnbuckle.lab.design.results import Kept, Results
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lab.design import DesignError
-from lab.design.design import Design
-from lab.design.improve import Improvement, NoImprovement, improvement
-from lab.design.search import TRUST, Trials, merit, polish, search, slopes
-from lab.design.target import isotropic_force, needed_tension, target_poses
-from model.machine import Machine, load_machine
-from model.reference import quality
-from model.reference.control import base_targets
-from model.workspace.maximin import climb
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design
+from turnbuckle.lab.design.improve import Improvement, NoImprovement, improvement
+from turnbuckle.lab.design.search import TRUST, Trials, merit, polish, search, slopes
+from turnbuckle.lab.design.target import isotropic_force, needed_tension, target_poses
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.reference import quality
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.maximin import climb
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 from distributed import Client, LocalCluster
 
-import lab.design.study
-from lab.design import DesignError
-from lab.design.design import Design
-from lab.design.results import Results
-from lab.design.study import Points, judge, plan_study, run_study
+import turnbuckle.lab.design.study
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.design import Design
+from turnbuckle.lab.design.results import Results
+from turnbuckle.lab.design.study import Points, judge, plan_study, run_study
 
 ROOT = Path(__file__).parents[2]
 DIAGONAL = ROOT / "tests" / "machines" / "fixed_diagonal.toml"
@@ -168,7 +168,9 @@ def test_a_cluster_with_another_turnbuckle_is_refused(
 ) -> None:
     points, plan = plan_study(design, None, 0)
     results = Results(tmp_path, design, plan)
-    monkeypatch.setattr(lab.design.study, "version", lambda name: f"of process {os.getpid()}")
+    monkeypatch.setattr(
+        turnbuckle.lab.design.study, "version", lambda name: f"of process {os.getpid()}"
+    )
     with pytest.raises(DesignError, match=f"allowed: of process {os.getpid()}, as here"):
         run_study(design, points, results, cluster.scheduler_address, silent)
 

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from lab.design import DesignError
-from lab.design.document import Document
-from lab.design.vary import Range, parse_ranges
+from turnbuckle.lab.design import DesignError
+from turnbuckle.lab.design.document import Document
+from turnbuckle.lab.design.vary import Range, parse_ranges
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from codegen.double_double import DoubleDouble, choose, two_product, two_sum
+from turnbuckle.codegen.double_double import DoubleDouble, choose, two_product, two_sum
 
 RANDOM = np.random.default_rng(1)
 A, B = RANDOM.standard_normal((2, 200)) * 10.0 ** RANDOM.integers(-8, 8, (2, 200))

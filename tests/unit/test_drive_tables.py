@@ -11,12 +11,12 @@ from typing import Any
 import jinja2
 import pytest
 
-from codegen.bus.contract import Object, contract, identity
-from codegen.bus.drives import drive_fields, node_frames
-from codegen.compile import compile_library
-from codegen.generate import TEMPLATES
-from model.bus.axis import Axis, axes
-from model.machine import Machine, load_machine, machine_from
+from turnbuckle.codegen.bus.contract import Object, contract, identity
+from turnbuckle.codegen.bus.drives import drive_fields, node_frames
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.codegen.generate import TEMPLATES
+from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.machine import Machine, load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

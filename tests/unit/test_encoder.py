@@ -4,7 +4,7 @@ from math import pi
 
 import pytest
 
-from lab.drives.motion import Encoder
+from turnbuckle.lab.drives.motion import Encoder
 
 INCREMENTS = 4096
 TURN = 2.0 * pi

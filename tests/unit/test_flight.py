@@ -13,10 +13,11 @@ from pyarrow import parquet
 from supervised import CORE, RESET, STOCK, Cause, Observation, Power, State
 from typer.testing import CliRunner
 
-from codegen.bind import REALS
-from codegen.compile import compile_library
-from lab.flight import FlightError
-from lab.flight.recording import (
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.command_line import app
+from turnbuckle.lab.flight import FlightError
+from turnbuckle.lab.flight.recording import (
     END,
     HEADER,
     SEGMENT,
@@ -25,11 +26,10 @@ from lab.flight.recording import (
     cycle_layout,
     read_recording,
 )
-from lab.flight.replay import Supervisor, compile_supervisor, run_again
-from lab.flight.table import times
-from lab.flight.words import words
-from model.machine import load_machine
-from turnbuckle import app
+from turnbuckle.lab.flight.replay import Supervisor, compile_supervisor, run_again
+from turnbuckle.lab.flight.table import times
+from turnbuckle.lab.flight.words import words
+from turnbuckle.model.machine import load_machine
 
 MACHINE = STOCK.parents[1] / "machines" / "yoon2023.toml"
 

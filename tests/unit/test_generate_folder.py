@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from codegen.folder import FolderError
-from codegen.generate import MANIFEST, write
+from turnbuckle.codegen.folder import FolderError
+from turnbuckle.codegen.generate import MANIFEST, write
 
 FILES = {"tb_a.c": "int a;\n", MANIFEST: '{"files": {"tb_a.c": ""}}\n'}
 

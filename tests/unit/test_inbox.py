@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from codegen.compile import compile_library
-from lab.live.program import FOLDERS, RUNTIME
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab.live.program import FOLDERS
+from turnbuckle.places import RUNTIME
 
 ARM, STOP, RESET = 1, 2, 4
 FORCE_CYCLES = 20

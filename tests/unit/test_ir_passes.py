@@ -4,13 +4,13 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from codegen.composite import cost, fingerprint
-from codegen.evaluate import DOUBLE, evaluate
-from codegen.ir import Op, Routine
-from codegen.lower import LoweringError, lower
-from codegen.simplify import simplify
-from model.symbolic.function import ModelFunction, make_input, vector_output
-from model.symbolic.scalar import Vector
+from turnbuckle.codegen.composite import cost, fingerprint
+from turnbuckle.codegen.evaluate import DOUBLE, evaluate
+from turnbuckle.codegen.ir import Op, Routine
+from turnbuckle.codegen.lower import LoweringError, lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.symbolic.function import ModelFunction, make_input, vector_output
+from turnbuckle.model.symbolic.scalar import Vector
 
 
 def function_of(build: object) -> ModelFunction:

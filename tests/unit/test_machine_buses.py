@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from codegen.generate import canonical
-from model.bus.axis import axes, drive_names
-from model.machine import Machine, MachineError, load_machine, machine_from
+from turnbuckle.codegen.generate import canonical
+from turnbuckle.model.bus.axis import axes, drive_names
+from turnbuckle.model.machine import Machine, MachineError, load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

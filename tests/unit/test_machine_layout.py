@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from model.machine import MachineError, load_machine
+from turnbuckle.model.machine import MachineError, load_machine
 
 HEAD = """
 [machine]

@@ -10,7 +10,7 @@ from typing import Any
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
 
-from model.machine import MachineError, load_machine
+from turnbuckle.model.machine import MachineError, load_machine
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
 CONTENT = STOCK.read_bytes()

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic_core import PydanticCustomError
 
-from model.quantity import LARGEST, SMALLEST, Quantity
+from turnbuckle.model.quantity import LARGEST, SMALLEST, Quantity
 
 LENGTH = Quantity("a length", "m", "5 mm", sign="any")
 # quantity -> units and what one of them is in SI, exactly

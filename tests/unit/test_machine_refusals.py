@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from machine_text import without_buses
 
-from model.machine import MachineError, load_machine
+from turnbuckle.model.machine import MachineError, load_machine
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
 TEXT = STOCK.read_text(encoding="utf-8")

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from model.kind import KINDS
-from model.machine import json_schema
+from turnbuckle.model.kind import KINDS
+from turnbuckle.model.machine import json_schema
 
 SCHEMA_FILE = Path(__file__).parents[2] / "docs" / "machine.schema.json"
 SCHEMA = json_schema()
@@ -17,7 +17,7 @@ TABLES: dict[str, Any] = {"the file": SCHEMA, **SCHEMA["$defs"]}
 
 def test_the_exported_schema_is_up_to_date() -> None:
     assert json.loads(SCHEMA_FILE.read_text("utf-8")) == SCHEMA, (
-        "to export it again: python -m model.machine > docs/machine.schema.json"
+        "to export it again: python -m turnbuckle.model.machine > docs/machine.schema.json"
     )
 
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from lab.mutants.draw import sources
-from lab.mutants.mutation import mutations
-from lab.mutants.tokens import tokens_of
+from turnbuckle.lab.mutants.draw import sources
+from turnbuckle.lab.mutants.mutation import mutations
+from turnbuckle.lab.mutants.tokens import tokens_of
 
 SOURCE = """
 #include "x1.h" /* 1 < 2 */

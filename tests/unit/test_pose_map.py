@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from codegen.bind import Generated, generate_into_build
-from codegen.map_tally import tally
-from codegen.pose_map import SHIM, Grid, PoseMap, Reals, target_grid
-from model.machine import Machine, load_machine
-from model.symbolic.function import Status
+from turnbuckle.codegen.bind import Generated, generate_into_cache
+from turnbuckle.codegen.map_tally import tally
+from turnbuckle.codegen.pose_map import SHIM, Grid, PoseMap, Reals, target_grid
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.symbolic.function import Status
 
 MACHINES = Path(__file__).parents[1] / "machines"
 Bases = dict[str, tuple[float, ...]]
@@ -32,7 +32,7 @@ def pose_map(double: Generated) -> PoseMap:
 @pytest.fixture(scope="module")
 def fixed() -> Generated:
     machine = load_machine(MACHINES / "fixed_diagonal.toml")
-    return Generated(machine, generate_into_build(machine), "double")
+    return Generated(machine, generate_into_cache(machine), "double")
 
 
 def frame_grid(machine: Machine) -> Grid:

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from codegen.print_c import literal
+from turnbuckle.codegen.print_c import literal
 
 NUMBERS = [0.0, 1.0, 0.1, 1 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 123456789.12345679, 1e22]
 

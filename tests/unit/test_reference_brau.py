@@ -6,8 +6,8 @@ import pytest
 from reference_poses import WIDE_EPS, Wide, machine_of, random_poses
 from scipy.optimize import linprog
 
-from model.machine import Cable, Machine
-from model.reference.brau import (
+from turnbuckle.model.machine import Cable, Machine
+from turnbuckle.model.reference.brau import (
     force_ratio_eq21,
     force_ratio_eq23,
     kernel_tension,
@@ -17,8 +17,8 @@ from model.reference.brau import (
     largest_tensions_eq18,
     reduced_matrix_tension,
 )
-from model.reference.kinematics import structure_matrix
-from model.reference.tension import minimum_norm_tension
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.reference.tension import minimum_norm_tension
 
 Doubles = npt.NDArray[np.float64]
 NO_RAILS = np.zeros(0)

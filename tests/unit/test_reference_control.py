@@ -5,8 +5,8 @@ import numpy.typing as npt
 import pytest
 from scipy import signal
 
-from model.machine import Cable, Machine, load_machine
-from model.reference.control import (
+from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.reference.control import (
     BasePid,
     base_pid,
     base_targets,
@@ -17,8 +17,8 @@ from model.reference.control import (
     velocity_sequence,
     wall_force,
 )
-from model.reference.kinematics import structure_matrix
-from model.reference.statics import wrench
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.reference.statics import wrench
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from reference_poses import NAMES, WIDE_EPS, Wide, machine_of, random_poses
 
-from model.machine import Machine
-from model.pulley import Pulley
-from model.reference.cable_path import cable_path
-from model.reference.kinematics import (
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.pulley import Pulley
+from turnbuckle.model.reference.cable_path import cable_path
+from turnbuckle.model.reference.kinematics import (
     anchor_points,
     base_points,
     cable_lengths,
@@ -19,8 +19,8 @@ from model.reference.kinematics import (
     structure_matrix,
     task_velocity,
 )
-from model.reference.orientation import rotation, skew
-from model.reference.statics import rail_forces, wrench
+from turnbuckle.model.reference.orientation import rotation, skew
+from turnbuckle.model.reference.statics import rail_forces, wrench
 
 STEP = np.longdouble(1e-5)
 # The error of a central difference: the square of the step over the shortest length there is.

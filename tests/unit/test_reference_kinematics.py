@@ -5,8 +5,8 @@ import numpy.typing as npt
 import pytest
 from scipy.optimize import OptimizeResult, least_squares
 
-from model.machine import Cable, Machine, load_machine
-from model.reference.kinematics import (
+from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.reference.kinematics import (
     base_points,
     cable_lengths,
     forward_kinematics,

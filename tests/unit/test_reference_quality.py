@@ -6,18 +6,18 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from model.machine import Cable, Machine, load_machine
-from model.reference.control import base_targets
-from model.reference.kinematics import structure_matrix
-from model.reference.quality import (
+from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.reference.quality import (
     capacity_margin,
     isotropic_force,
     isotropic_force_eq17,
     tension_factor,
     zero_wrench_tension,
 )
-from model.reference.statics import wrench
-from model.reference.tension import wrench_feasible
+from turnbuckle.model.reference.statics import wrench
+from turnbuckle.model.reference.tension import wrench_feasible
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")

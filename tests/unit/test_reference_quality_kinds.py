@@ -6,26 +6,26 @@ import numpy as np
 import pytest
 from reference_poses import NAMES, WIDE_EPS, Wide, machine_of, random_poses
 
-from model.machine import Machine, Wall
-from model.reference.arrays import norm
-from model.reference.control import base_targets, load_tension, wall_force
-from model.reference.kinematics import (
+from turnbuckle.model.machine import Machine, Wall
+from turnbuckle.model.reference.arrays import norm
+from turnbuckle.model.reference.control import base_targets, load_tension, wall_force
+from turnbuckle.model.reference.kinematics import (
     anchor_points,
     base_points,
     cable_vectors,
     moment_lever,
     structure_matrix,
 )
-from model.reference.minors import none_yet, normal, with_vector
-from model.reference.quality import (
+from turnbuckle.model.reference.minors import none_yet, normal, with_vector
+from turnbuckle.model.reference.quality import (
     isotropic_force,
     isotropic_force_eq17,
     tension_factor,
     zero_wrench_tension,
 )
-from model.reference.statics import rail_forces, wrench, wrench_share_eq10
-from model.reference.tension import wrench_feasible
-from model.reference.wrench_set import margin, slabs
+from turnbuckle.model.reference.statics import rail_forces, wrench, wrench_share_eq10
+from turnbuckle.model.reference.tension import wrench_feasible
+from turnbuckle.model.reference.wrench_set import margin, slabs
 
 MACHINES = [machine_of(name) for name in NAMES]
 IN_SPACE = [machine for machine in MACHINES if machine.kind != "planar-point"]

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from model.machine import load_machine
-from model.reference.kinematics import cable_lengths, structure_matrix
-from model.reference.statics import rail_forces, wrench
+from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reference.kinematics import cable_lengths, structure_matrix
+from turnbuckle.model.reference.statics import rail_forces, wrench
 
 STOCK = load_machine("machines/yoon2023.toml")
 EPS = np.finfo(float).eps

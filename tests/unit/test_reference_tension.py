@@ -7,16 +7,16 @@ import pytest
 import quadprog
 from scipy.optimize import linprog, lsq_linear
 
-from model.machine import Cable, Machine, load_machine
-from model.reference.kinematics import structure_matrix
-from model.reference.optimality import optimality_gap
-from model.reference.tension import (
+from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.reference.optimality import optimality_gap
+from turnbuckle.model.reference.tension import (
     POLICIES,
     distribute_tension,
     minimum_norm_tension,
     wrench_feasible,
 )
-from model.reference.wrench_set import largest_share
+from turnbuckle.model.reference.wrench_set import largest_share
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")

@@ -7,11 +7,11 @@ import quadprog
 from reference_poses import NAMES, WIDE_EPS, Wide, machine_of, random_poses
 from scipy.optimize import linprog, lsq_linear
 
-from model.machine import Machine
-from model.reference import active_sets, bounded
-from model.reference.kinematics import moment_lever, structure_matrix
-from model.reference.statics import wrench as wrench_of
-from model.reference.tension import POLICIES, distribute_tension, wrench_feasible
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import active_sets, bounded
+from turnbuckle.model.reference.kinematics import moment_lever, structure_matrix
+from turnbuckle.model.reference.statics import wrench as wrench_of
+from turnbuckle.model.reference.tension import POLICIES, distribute_tension, wrench_feasible
 
 Doubles = npt.NDArray[np.float64]
 LOWER, UPPER = 3.0, 30.0

@@ -5,15 +5,15 @@ import numpy as np
 import pytest
 from built import answered, built
 
-from codegen.accuracy import measure
-from codegen.bind import REALS
-from codegen.composite import Loop, Procedure, cost, fingerprint, loop
-from codegen.evaluate import DOUBLE, evaluate, extended
-from codegen.lower import lower
-from codegen.simplify import simplify
-from codegen.verify import call
-from model.machine import Machine
-from model.symbolic.function import (
+from turnbuckle.codegen.accuracy import measure
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.codegen.composite import Loop, Procedure, cost, fingerprint, loop
+from turnbuckle.codegen.evaluate import DOUBLE, evaluate, extended
+from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.simplify import simplify
+from turnbuckle.codegen.verify import call
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import (
     EPSILON,
     ModelFunction,
     Output,
@@ -26,7 +26,7 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.scalar import where
+from turnbuckle.model.symbolic.scalar import where
 
 #: Newton's method halves a start that is far too large in every step, then doubles the digits.
 ENOUGH = 40

@@ -2,8 +2,8 @@
 
 import pytest
 
-from lab.live import LiveError
-from lab.live.simulated import interfaces, open_port, way_to
+from turnbuckle.lab.live import LiveError
+from turnbuckle.lab.live.simulated import interfaces, open_port, way_to
 
 NAMES = ("cable1", "cable2", "base")
 

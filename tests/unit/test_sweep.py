@@ -9,14 +9,14 @@ import pytest
 from built import answered, built
 from numpy.typing import NDArray
 
-from codegen.accuracy import FEWEST_POINTS, FIRST_POINTS, MOST_WORK, affordable
-from codegen.bind import REALS
-from codegen.composite import cost, fingerprint, most_visits
-from codegen.enumeration import Enumeration, enumeration
-from codegen.evaluate import DOUBLE, evaluate, extended
-from codegen.generate import lowered
-from model.machine import Machine
-from model.symbolic.function import (
+from turnbuckle.codegen.accuracy import FEWEST_POINTS, FIRST_POINTS, MOST_WORK, affordable
+from turnbuckle.codegen.bind import REALS
+from turnbuckle.codegen.composite import cost, fingerprint, most_visits
+from turnbuckle.codegen.enumeration import Enumeration, enumeration
+from turnbuckle.codegen.evaluate import DOUBLE, evaluate, extended
+from turnbuckle.codegen.generate import lowered
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import (
     Output,
     Status,
     Verdict,
@@ -24,9 +24,9 @@ from model.symbolic.function import (
     scalar_output,
     vector_output,
 )
-from model.symbolic.linear import dot
-from model.symbolic.scalar import Vector, where
-from model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
+from turnbuckle.model.symbolic.linear import dot
+from turnbuckle.model.symbolic.scalar import Vector, where
+from turnbuckle.model.symbolic.sweep import Ports, Scheme, Subset, Sweep, make_sweep
 
 ROWS, COLUMNS = 3, 5
 PAIRS = tuple(combinations(range(COLUMNS), 2))

@@ -5,14 +5,14 @@ from random import Random
 
 import pytest
 
-from lab.drives.bus import SimulatedBus
-from lab.drives.node import Frame
-from lab.drives.setup import Setup
-from lab.drives.wire import Conditions, Wire, exact_bits, wires
-from model.bus.frames import RPDO, SYNC, TPDO
-from model.bus.plan import bus_plans
-from model.bus.response import frame_bits
-from model.machine import Machine
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.setup import Setup
+from turnbuckle.lab.drives.wire import Conditions, Wire, exact_bits, wires
+from turnbuckle.model.bus.frames import RPDO, SYNC, TPDO
+from turnbuckle.model.bus.plan import bus_plans
+from turnbuckle.model.bus.response import frame_bits
+from turnbuckle.model.machine import Machine
 
 BIT = 1e-6
 PERIOD = 1e-3

@@ -6,11 +6,11 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from model.machine import Cable, Machine, load_machine
-from model.reference import quality
-from model.reference.control import base_targets
-from model.workspace.bases import best_rails, lag_directions, lagging_force
-from model.workspace.maximin import climb
+from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.reference import quality
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.bases import best_rails, lag_directions, lagging_force
+from turnbuckle.model.workspace.maximin import climb
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")

@@ -7,8 +7,8 @@ import numpy.typing as npt
 import pytest
 from scipy.optimize import linprog
 
-from model.workspace.facets import Facets, over_facets, rounding
-from model.workspace.feasible import (
+from turnbuckle.model.workspace.facets import Facets, over_facets, rounding
+from turnbuckle.model.workspace.feasible import (
     ball_margin,
     feasible,
     polytope_margin,

@@ -6,13 +6,13 @@ import pytest
 import quadprog
 from scipy.optimize import linprog
 
-from model.machine import Machine, load_machine
-from model.reference import quality
-from model.reference.control import base_targets
-from model.reference.kinematics import structure_matrix
-from model.workspace.facets import rounding
-from model.workspace.feasible import ball_margin, feasible, polytope_margin
-from model.workspace.force import (
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.reference import quality
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.reference.kinematics import structure_matrix
+from turnbuckle.model.workspace.facets import rounding
+from turnbuckle.model.workspace.feasible import ball_margin, feasible, polytope_margin
+from turnbuckle.model.workspace.force import (
     force_along,
     isotropic_force,
     isotropic_force_eq17,
@@ -20,8 +20,8 @@ from model.workspace.force import (
     tension_factor,
     zero_wrench_tension,
 )
-from model.workspace.least_norm import least_norm_tension
-from model.workspace.max_tension import needed_tension
+from turnbuckle.model.workspace.least_norm import least_norm_tension
+from turnbuckle.model.workspace.max_tension import needed_tension
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")

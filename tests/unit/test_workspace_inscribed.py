@@ -4,12 +4,12 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from model.machine import load_machine
-from model.workspace.feasible import ball_margin
-from model.workspace.inscribed import largest_circle, largest_screen
-from model.workspace.maps import Measure
-from model.workspace.structures import structures
-from model.workspace.tension_capable import capable_region, largest_circle_eq22
+from turnbuckle.model.machine import load_machine
+from turnbuckle.model.workspace.feasible import ball_margin
+from turnbuckle.model.workspace.inscribed import largest_circle, largest_screen
+from turnbuckle.model.workspace.maps import Measure
+from turnbuckle.model.workspace.structures import structures
+from turnbuckle.model.workspace.tension_capable import capable_region, largest_circle_eq22
 
 Doubles = npt.NDArray[np.float64]
 SQUARE = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])

@@ -4,14 +4,14 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from model.machine import Machine, load_machine
-from model.reference.control import base_targets
-from model.workspace.actuators import choose_actuators
-from model.workspace.feasible import ball_margin
-from model.workspace.force import isotropic_force
-from model.workspace.grid import Grid, frame_grid, target_grid
-from model.workspace.maps import Tally, evaluate, summarise
-from model.workspace.structures import Demand, structures, target_demand
+from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.reference.control import base_targets
+from turnbuckle.model.workspace.actuators import choose_actuators
+from turnbuckle.model.workspace.feasible import ball_margin
+from turnbuckle.model.workspace.force import isotropic_force
+from turnbuckle.model.workspace.grid import Grid, frame_grid, target_grid
+from turnbuckle.model.workspace.maps import Tally, evaluate, summarise
+from turnbuckle.model.workspace.structures import Demand, structures, target_demand
 
 Doubles = npt.NDArray[np.float64]
 STOCK = load_machine("machines/yoon2023.toml")
@@ -154,7 +154,7 @@ def test_moments_are_made_comparable_by_the_lever(monkeypatch: pytest.MonkeyPatc
     target = turned.target.model_copy(update={"moment": 0.6})
     machine = turned.model_copy(update={"cables": cables, "target": target})
     s = np.arange(12.0).reshape(3, 4)
-    monkeypatch.setattr("model.workspace.structures.structure_matrix", lambda *_: s)
+    monkeypatch.setattr("turnbuckle.model.workspace.structures.structure_matrix", lambda *_: s)
     found = structures(machine, [0.0] * 3, [0.0] * 4)
     assert np.array_equal(found[:2], s[:2]) and np.allclose(found[2], s[2] / 0.3, rtol=4 * EPS)
     assert target_demand(machine) == pytest.approx((STOCK.target.force, 2.0, 2), rel=4 * EPS)

@@ -4,15 +4,15 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from model.workspace.feasible import ball_margin, wrench_closure
-from model.workspace.force import isotropic_force
-from model.workspace.max_tension import (
+from turnbuckle.model.workspace.feasible import ball_margin, wrench_closure
+from turnbuckle.model.workspace.force import isotropic_force
+from turnbuckle.model.workspace.max_tension import (
     max_tension_adjacent,
     max_tension_eq12,
     max_tension_eq17,
     needed_tension,
 )
-from model.workspace.tension_capable import (
+from turnbuckle.model.workspace.tension_capable import (
     Arc,
     capability,
     capable_by_gap,

@@ -20,12 +20,12 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from lab.bus_tap import SetpointWatch
-from lab.drives.simulated_clock import SimulatedClock
-from lab.live.simulated import Application, Bench, open_port
-from lab.live.telemetry import Telemetry, running
-from lab.live.words import STATES
-from lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.bus_tap import SetpointWatch
+from turnbuckle.lab.drives.simulated_clock import SimulatedClock
+from turnbuckle.lab.live.simulated import Application, Bench, open_port
+from turnbuckle.lab.live.telemetry import Telemetry, running
+from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.machine_sim import SimulatedMachine
 
 INTERFACES = ("vcan0", "vcan1", "vcan2")
 UNPLUGGED = "vcan1"

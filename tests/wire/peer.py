@@ -7,11 +7,11 @@ import canopen
 import pytest
 from canopen.sdo.exceptions import SdoAbortedError
 
-from lab.drives.bus import SimulatedBus
-from lab.drives.drive import Drive
-from lab.drives.node import Frame
-from lab.drives.objects import object_dictionary
-from lab.drives.setup import Ratings, Setup
+from turnbuckle.lab.drives.bus import SimulatedBus
+from turnbuckle.lab.drives.drive import Drive
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.objects import object_dictionary
+from turnbuckle.lab.drives.setup import Ratings, Setup
 
 PERIOD = 0.001
 RATINGS = Ratings()

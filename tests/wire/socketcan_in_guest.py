@@ -22,9 +22,10 @@ from can_ports import CAN, ROOT, Filter, Frame, Result, Slcan, Socketcan, State,
 from running import BUSES, Running, running
 from serial_line import SerialLine, connected
 
-from codegen.compile import compile_library
-from lab.live.program import RUNTIME, compile_machine
-from lab.live.words import STATES
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab.live.program import compile_machine
+from turnbuckle.lab.live.words import STATES
+from turnbuckle.places import RUNTIME
 
 PATIENCE = 10.0
 """s, after which what did not come will not: the guest is slow."""

@@ -12,12 +12,12 @@ from typing import Any
 import pytest
 from guest import run_in_guest
 
-from codegen.bind import Generated, generate_into_build
-from lab.demo import plan_task, plant_of
-from lab.live.program import build_program
-from lab.live.simulated import Bench
-from model.machine import load_machine
-from model.reference.control import base_targets
+from turnbuckle.codegen.bind import Generated, generate_into_cache
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.live.program import build_program
+from turnbuckle.lab.live.simulated import Bench
+from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reference.control import base_targets
 
 INSIDE = Path(__file__).with_name("bring_up_in_guest.py")
 INTERFACES = ("vcan0", "vcan1", "vcan2")
@@ -64,7 +64,7 @@ def brisk(stock_file: Path, folder: Path) -> Bench:
     file = folder / "brisk.toml"
     file.write_text(text)
     machine = load_machine(file)
-    task = plan_task(Generated(machine, generate_into_build(machine), "double"))
+    task = plan_task(Generated(machine, generate_into_cache(machine), "double"))
     rails = [float(s) for s in base_targets(machine, task.path.at(0.0)[0])]
     return Bench(machine, plant_of(machine), task, rails)
 

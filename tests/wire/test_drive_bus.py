@@ -5,9 +5,9 @@ from struct import pack
 import pytest
 from peer import Bench, booted, command, read, remote, running, status
 
-from lab.drives.bus import Disturbance, Mishap
-from lab.drives.node import Frame
-from lab.drives.setup import Identity, Setup
+from turnbuckle.lab.drives.bus import Disturbance, Mishap
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.setup import Identity, Setup
 
 SHUTDOWN = 0x06
 TPDO, RPDO = 0x181, 0x201

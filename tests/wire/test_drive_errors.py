@@ -5,9 +5,9 @@ from struct import pack, unpack
 import pytest
 from peer import Bench, abort_code, booted, command, enable, read, running, write
 
-from lab.drives.errors import LATCHED, Reaction, reaction
-from lab.drives.node import Frame
-from lab.drives.power import Power
+from turnbuckle.lab.drives.errors import LATCHED, Reaction, reaction
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.lab.drives.power import Power
 
 SHUTDOWN, ENABLE, RESET = 0x06, 0x0F, 0x80
 MASTER = 0x77F

@@ -3,8 +3,8 @@
 import pytest
 from peer import Bench, booted, command, enable, running, write
 
-from lab.drives.motion import Run
-from lab.drives.power import Power
+from turnbuckle.lab.drives.motion import Run
+from turnbuckle.lab.drives.power import Power
 
 ENABLE, START = 0x0F, 0x1F
 

@@ -6,7 +6,7 @@ import pytest
 from canopen.sdo.exceptions import SdoAbortedError
 from peer import Bench, abort_code, booted, enable, map_torque, read, remote, running, write
 
-from lab.drives.objects import entries
+from turnbuckle.lab.drives.objects import entries
 
 
 def test_every_object_can_be_read_and_has_the_length_of_its_type() -> None:

@@ -5,8 +5,8 @@ from struct import pack
 import pytest
 from peer import RATINGS, Bench, booted, command, enable, read, running, status, write
 
-from lab.drives.power import TRANSITIONS, Command, Power, follow
-from lab.drives.power import command as asked
+from turnbuckle.lab.drives.power import TRANSITIONS, Command, Power, follow
+from turnbuckle.lab.drives.power import command as asked
 
 OFF, READY, ON, ENABLED = 0x40, 0x21, 0x23, 0x27
 SHUTDOWN, SWITCH_ON, ENABLE, NO_VOLTAGE, QUICK_STOP, RESET = 0x06, 0x07, 0x0F, 0x00, 0x02, 0x80

@@ -14,10 +14,10 @@ import pytest
 from canopen.profiles.p402 import BaseNode402
 from peer import Bench, map_torque, read
 
-from lab.drives.objects import object_dictionary
-from lab.drives.power import Power
-from lab.drives.runner import Runner
-from lab.drives.slcan_adapter import SlcanAdapter, decode, encode
+from turnbuckle.lab.drives.objects import object_dictionary
+from turnbuckle.lab.drives.power import Power
+from turnbuckle.lab.drives.runner import Runner
+from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter, decode, encode
 
 PATIENCE = 20.0
 """Time after which a test gives up waiting [s]."""

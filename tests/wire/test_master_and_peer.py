@@ -14,10 +14,10 @@ from peer_drives import Bus, BusVariation, EncoderFault, Timing, TorqueFault, Up
 from peer_machine import NANO, PeerMachine, proof
 from supervised import Cause
 
-from codegen.bind import Generated
-from lab.hand import Path
-from lab.lockstep import Lockstep, Request, State
-from model.machine import Machine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.hand import Path
+from turnbuckle.lab.lockstep import Lockstep, Request, State
+from turnbuckle.model.machine import Machine
 
 DRIVES, CABLES = 8, 4
 LONGEST = 30_000

@@ -15,10 +15,10 @@ import pytest
 from running import PATIENCE, Lines, Running, running, shared_file, silent_lines
 from typer.testing import CliRunner, Result
 
-from lab.live.program import compile_machine
-from lab.live.telemetry import Request
-from lab.live.words import STATES
-from turnbuckle import app
+from turnbuckle.command_line import app
+from turnbuckle.lab.live.program import compile_machine
+from turnbuckle.lab.live.telemetry import Request
+from turnbuckle.lab.live.words import STATES
 
 ROOT = Path(__file__).parents[2]
 REQUESTS: tuple[Request, ...] = ("arm", "stop", "reset")
@@ -114,7 +114,7 @@ def test_no_telemetry_is_told_with_what_to_do(tmp_path: Path) -> None:
 
 def test_keys_reach_the_program_and_q_leaves(watched: Running) -> None:
     screen, keyboard = pty.openpty()
-    command = [sys.executable, str(ROOT / "turnbuckle.py"), "monitor", "yoon2023"]
+    command = [sys.executable, "-m", "turnbuckle", "monitor", "yoon2023"]
     with subprocess.Popen(
         [*command, f"--telemetry={watched.telemetry.path}"],
         stdin=keyboard,
@@ -135,7 +135,7 @@ def test_keys_reach_the_program_and_q_leaves(watched: Running) -> None:
 
 def watch(path: Path) -> "subprocess.Popen[str]":
     """A monitor without a keyboard."""
-    command = [sys.executable, str(ROOT / "turnbuckle.py"), "monitor", "yoon2023"]
+    command = [sys.executable, "-m", "turnbuckle", "monitor", "yoon2023"]
     return subprocess.Popen(
         [*command, f"--telemetry={path}"],
         stdin=subprocess.DEVNULL,
@@ -226,7 +226,7 @@ def test_run_refuses_options_that_contradict(
 
 
 def test_run_hands_on_what_the_program_says(stock_file: Path, program: Path) -> None:
-    command = [sys.executable, str(ROOT / "turnbuckle.py"), "run"]
+    command = [sys.executable, "-m", "turnbuckle", "run"]
     done = subprocess.run(
         [*command, stock_file, "--program", program], capture_output=True, text=True
     )
@@ -236,7 +236,7 @@ def test_run_hands_on_what_the_program_says(stock_file: Path, program: Path) -> 
 
 def start_run(file: Path, program: Path, lines: Lines, *options: str) -> "subprocess.Popen[str]":
     """`turnbuckle run` on lines without drives, in real time."""
-    command = [sys.executable, str(ROOT / "turnbuckle.py"), "run", str(file)]
+    command = [sys.executable, "-m", "turnbuckle", "run", str(file)]
     words = [f"--program={program}", f"--telemetry={shared_file()}", *lines.real_time_options]
     return subprocess.Popen(
         [*command, *words, *options],

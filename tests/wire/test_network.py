@@ -18,9 +18,9 @@ from canopen_c import ROOT, SOURCES, Canopen, Frame, canopen_c
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from codegen.bus.drives import drive_fields
-from codegen.generate import TEMPLATES
-from model.machine import machine_from
+from turnbuckle.codegen.bus.drives import drive_fields
+from turnbuckle.codegen.generate import TEMPLATES
+from turnbuckle.model.machine import machine_from
 
 C = canopen_c()
 CABLE, BASE = 0, 4

@@ -12,10 +12,11 @@ import pytest
 from running import BUSES, PATIENCE, Running, running
 from serial_line import Adapter, BootingDrives, FarEnd, SerialLine
 
-from codegen.compile import compile_program
-from lab.live.program import FOLDERS, RUNTIME, compile_machine
-from lab.live.telemetry import Record
-from lab.live.words import STATES
+from turnbuckle.codegen.compile import compile_program
+from turnbuckle.lab.live.program import FOLDERS, compile_machine
+from turnbuckle.lab.live.telemetry import Record
+from turnbuckle.lab.live.words import STATES
+from turnbuckle.places import RUNTIME
 
 FAULT = STATES.index("FAULT")
 UNPLUGGED = "cable2"

@@ -14,11 +14,11 @@ from peer_machine import NANO, PeerMachine, proof
 from running import BUSES, Running, running
 from test_master_and_peer import COUNTS, DEPTH, WALL, into_the_wall
 
-from lab.drives.simulated_clock import SimulatedClock
-from lab.live.program import compile_machine
-from lab.live.telemetry import Telemetry
-from lab.live.words import STATES
-from model.machine import Machine
+from turnbuckle.lab.drives.simulated_clock import SimulatedClock
+from turnbuckle.lab.live.program import compile_machine
+from turnbuckle.lab.live.telemetry import Telemetry
+from turnbuckle.lab.live.words import STATES
+from turnbuckle.model.machine import Machine
 
 RUN, FAULT = STATES.index("RUN"), STATES.index("FAULT")
 PIECE = round(20e-6 / NANO)

@@ -17,10 +17,11 @@ import numpy as np
 import pytest
 from running import Lines, Running, running, silent_lines
 
-from codegen.compile import compile_program
-from lab.live.program import FOLDERS, RUNTIME, compile_machine
-from lab.live.telemetry import Telemetry
-from lab.live.words import STATES
+from turnbuckle.codegen.compile import compile_program
+from turnbuckle.lab.live.program import FOLDERS, compile_machine
+from turnbuckle.lab.live.telemetry import Telemetry
+from turnbuckle.lab.live.words import STATES
+from turnbuckle.places import RUNTIME
 
 FAULT = STATES.index("FAULT")
 PORT = RUNTIME / "port" / "linux"

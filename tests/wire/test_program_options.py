@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from running import BUSES, Lines, running, silent_lines
 
-from lab.live.program import compile_machine
+from turnbuckle.lab.live.program import compile_machine
 
 NOBODY = 65534
 

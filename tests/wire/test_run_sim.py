@@ -12,12 +12,12 @@ from typing import NamedTuple
 import pytest
 from running import PATIENCE
 
-from lab.live import LiveError
-from lab.live.telemetry import Telemetry
-from lab.live.words import STATES
+from turnbuckle.lab.live import LiveError
+from turnbuckle.lab.live.telemetry import Telemetry
+from turnbuckle.lab.live.words import STATES
 
 ROOT = Path(__file__).parents[2]
-COMMAND = [sys.executable, str(ROOT / "turnbuckle.py")]
+COMMAND = [sys.executable, "-m", "turnbuckle"]
 WORK = 300
 """Cycles of work before the stop."""
 

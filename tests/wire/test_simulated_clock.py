@@ -18,16 +18,17 @@ import can
 import pytest
 from running import BUSES, PATIENCE, Lines, NoDrives, running, shared_file, silent_lines
 
-from codegen.bind import Generated
-from codegen.compile import compile_program
-from lab.bus_tap import Fingerprint
-from lab.demo import plan_task, plant_of
-from lab.drives.simulated_clock import Line, SimulatedClock
-from lab.drives.slcan_adapter import SlcanAdapter, encode
-from lab.live.program import FOLDERS, RUNTIME, compile_machine
-from lab.live.simulated import Application, Bench
-from lab.live.telemetry import Telemetry
-from lab.machine_sim import SimulatedMachine
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.codegen.compile import compile_program
+from turnbuckle.lab.bus_tap import Fingerprint
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.simulated_clock import Line, SimulatedClock
+from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter, encode
+from turnbuckle.lab.live.program import FOLDERS, compile_machine
+from turnbuckle.lab.live.simulated import Application, Bench
+from turnbuckle.lab.live.telemetry import Telemetry
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.places import RUNTIME
 
 PORT = RUNTIME / "port" / "linux"
 CYCLES = 700

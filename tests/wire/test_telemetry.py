@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from codegen.compile import compile_program
-from lab.live import LiveError, NothingYetError
-from lab.live.program import FOLDERS, RUNTIME
-from lab.live.telemetry import BUS, COUNTS, DRIVE, Record, Telemetry, layout_of, rates
+from turnbuckle.codegen.compile import compile_program
+from turnbuckle.lab.live import LiveError, NothingYetError
+from turnbuckle.lab.live.program import FOLDERS
+from turnbuckle.lab.live.telemetry import BUS, COUNTS, DRIVE, Record, Telemetry, layout_of, rates
+from turnbuckle.places import RUNTIME
 
 WRITER = Path(__file__).with_name("telemetry_writer.c")
 PORT = RUNTIME / "port" / "linux"

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from lab.benchmark.cortex_m4.emulator import FLASH, RAM
-from lab.benchmark.native import BUILD, run_tool
+from turnbuckle.lab.benchmark.cortex_m4.emulator import FLASH, RAM
+from turnbuckle.lab.benchmark.native import BUILD, run_tool
 
 #: The same for ours and for all peers.
 FLAGS = (

@@ -8,8 +8,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from lab.benchmark.cortex_m4.emulator import Floats
-from lab.benchmark.cortex_m4.programs import (
+from turnbuckle.lab.benchmark.cortex_m4.emulator import Floats
+from turnbuckle.lab.benchmark.cortex_m4.programs import (
     Program,
     casadi_programs,
     casadi_step_programs,
@@ -17,15 +17,15 @@ from lab.benchmark.cortex_m4.programs import (
     our_step_program,
     sympy_programs,
 )
-from lab.benchmark.solvers.qrqp import SINGLE, tension_function
-from lab.benchmark.step.model_step import ModelStep, casadi_function
-from lab.benchmark.step.motion import recorded_inputs
-from lab.benchmark.tension_problems import feasible, random_poses, random_rails
-from model.machine import Machine
-from model.reference import kinematics
-from model.reference.tension import minimum_norm_tension
-from model.symbolic import topics
-from model.symbolic.function import ModelFunction
+from turnbuckle.lab.benchmark.solvers.qrqp import SINGLE, tension_function
+from turnbuckle.lab.benchmark.step.model_step import ModelStep, casadi_function
+from turnbuckle.lab.benchmark.step.motion import recorded_inputs
+from turnbuckle.lab.benchmark.tension_problems import feasible, random_poses, random_rails
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import kinematics
+from turnbuckle.model.reference.tension import minimum_norm_tension
+from turnbuckle.model.symbolic import topics
+from turnbuckle.model.symbolic.function import ModelFunction
 
 Reals = NDArray[np.float64]
 #: Functions that all generators can write.

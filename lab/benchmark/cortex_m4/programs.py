@@ -9,14 +9,14 @@ import casadi as ca
 import numpy as np
 from sympy.printing.c import C99CodePrinter
 
-from lab.benchmark.cortex_m4.build import program
-from lab.benchmark.cortex_m4.emulator import Emulator, Floats
-from lab.benchmark.cortex_m4.sympy_c import product_printer, stock_printer, sympy_c
-from lab.benchmark.native import BUILD, ROOT
-from lab.benchmark.solvers.qrqp import generate_c, work_sizes
-from lab.benchmark.step.comparison import layout
-from lab.benchmark.step.model_step import ModelStep
-from model.symbolic.function import ModelFunction
+from turnbuckle.lab.benchmark.cortex_m4.build import program
+from turnbuckle.lab.benchmark.cortex_m4.emulator import Emulator, Floats
+from turnbuckle.lab.benchmark.cortex_m4.sympy_c import product_printer, stock_printer, sympy_c
+from turnbuckle.lab.benchmark.native import BUILD, ROOT
+from turnbuckle.lab.benchmark.solvers.qrqp import generate_c, work_sizes
+from turnbuckle.lab.benchmark.step.comparison import layout
+from turnbuckle.lab.benchmark.step.model_step import ModelStep
+from turnbuckle.model.symbolic.function import ModelFunction
 
 FOLDER = Path(__file__).parent
 CORE = ROOT / "runtime" / "core"

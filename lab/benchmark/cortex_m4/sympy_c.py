@@ -8,7 +8,7 @@ import sympy
 from sympy.codegen.ast import float32, real
 from sympy.printing.c import C99CodePrinter
 
-from model.symbolic.function import ModelFunction
+from turnbuckle.model.symbolic.function import ModelFunction
 
 #: CasADi's operations in SymPy; a model function that needs another is refused by KeyError.
 OPERATIONS: dict[int, Callable[..., Any]] = {

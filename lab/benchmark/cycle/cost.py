@@ -11,13 +11,13 @@ from statistics import median
 
 import numpy as np
 
-from codegen.bind import Generated, pointer
-from codegen.compile import compile_library
-from lab.benchmark.cycle.recording import Cycles, Recorder
-from lab.benchmark.native import ROOT
-from lab.benchmark.timing import Timing
-from lab.lockstep import CAN, FOLDERS, PORTABLE_CAN, layouts
-from model.machine import Machine
+from turnbuckle.codegen.bind import Generated, pointer
+from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab.benchmark.cycle.recording import Cycles, Recorder
+from turnbuckle.lab.benchmark.native import ROOT
+from turnbuckle.lab.benchmark.timing import Timing
+from turnbuckle.lab.lockstep import CAN, FOLDERS, PORTABLE_CAN, layouts
+from turnbuckle.model.machine import Machine
 
 REPLAY = ROOT / "lab" / "benchmark" / "cycle" / "replay.c"
 

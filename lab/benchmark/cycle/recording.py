@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.bind import Generated
-from lab.demo import plan_task, plant_of
-from lab.lockstep import Lockstep, State
-from lab.machine_sim import SimulatedMachine
-from model.reference.control import base_targets
+from turnbuckle.codegen.bind import Generated
+from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.lockstep import Lockstep, State
+from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.model.reference.control import base_targets
 
 LONGEST_BRING_UP = 60_000
 

@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from codegen.bind import REALS, Generated
-from codegen.pose_map import Grid, PoseMap, target_grid
-from lab.benchmark.map.loop_map import loop_map
-from lab.benchmark.map.numpy_map import numpy_map
-from lab.benchmark.map.scene import Scene, scenes
-from lab.benchmark.tension_problems import Reals
-from lab.benchmark.timing import Timing, time_in_turn
-from model.machine import Machine
-from model.reference import quality
+from turnbuckle.codegen.bind import REALS, Generated
+from turnbuckle.codegen.pose_map import Grid, PoseMap, target_grid
+from turnbuckle.lab.benchmark.map.loop_map import loop_map
+from turnbuckle.lab.benchmark.map.numpy_map import numpy_map
+from turnbuckle.lab.benchmark.map.scene import Scene, scenes
+from turnbuckle.lab.benchmark.tension_problems import Reals
+from turnbuckle.lab.benchmark.timing import Timing, time_in_turn
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import quality
 
 OURS, LARGE, NUMPY, LOOP = "turnbuckle", "turnbuckle, large", "NumPy", "quadprog and SciPy"
 #: Poses a side of the small map that is compared with the reference.

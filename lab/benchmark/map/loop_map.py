@@ -6,8 +6,8 @@ import numpy as np
 import quadprog
 from scipy.spatial import ConvexHull
 
-from lab.benchmark.map.scene import Scene
-from lab.benchmark.tension_problems import Reals
+from turnbuckle.lab.benchmark.map.scene import Scene
+from turnbuckle.lab.benchmark.tension_problems import Reals
 
 
 def loop_map(scene: Scene, poses: Reals) -> tuple[Reals, Reals]:

@@ -9,8 +9,8 @@ from itertools import combinations, product
 
 import numpy as np
 
-from lab.benchmark.map.scene import Scene
-from lab.benchmark.tension_problems import Reals
+from turnbuckle.lab.benchmark.map.scene import Scene
+from turnbuckle.lab.benchmark.tension_problems import Reals
 
 #: Poses that are worked on at once: the quickest of 1 000 to 64 000.
 CHUNK = 8192

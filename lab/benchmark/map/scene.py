@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lab.benchmark.tension_problems import Reals
-from model.machine import Machine
-from model.reference import control, kinematics
+from turnbuckle.lab.benchmark.tension_problems import Reals
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import control, kinematics
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
-from lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
-from lab.benchmark.solvers.source_package import fetch_source
-from model.machine import Machine
+from turnbuckle.lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
+from turnbuckle.lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
+from turnbuckle.lab.benchmark.solvers.source_package import fetch_source
+from turnbuckle.model.machine import Machine
 
 #: The flags of DAQP's own Python package, less its timers.
 AUTHORS_FLAGS = ("-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math")

@@ -4,11 +4,11 @@ Per problem G+ and an orthonormal K by reflections, in C; then a published solve
 entries of lambda that bring all tensions within their bounds.
 """
 
-from lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
-from lab.benchmark.solvers.daqp import daqp_library
-from lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
-from lab.benchmark.solvers.source_package import fetch_source
-from model.machine import Machine
+from turnbuckle.lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
+from turnbuckle.lab.benchmark.solvers.daqp import daqp_library
+from turnbuckle.lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
+from turnbuckle.lab.benchmark.solvers.source_package import fetch_source
+from turnbuckle.model.machine import Machine
 
 DAQP, QUADPROG = "kernel + DAQP", "kernel + quadprog"
 #: The kernel is our C, so it gets what our C gets: square roots inline.

@@ -6,9 +6,9 @@ import numpy as np
 import osqp as package
 from scipy import sparse
 
-from lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
-from lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
-from model.machine import Machine
+from turnbuckle.lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
+from turnbuckle.lab.benchmark.solvers.solver import Solver, adapter, bound_flags, c_solver
+from turnbuckle.model.machine import Machine
 
 FOLDER = BUILD / "osqp"
 

@@ -6,9 +6,9 @@ from types import MappingProxyType
 
 import casadi as ca
 
-from lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
-from lab.benchmark.solvers.solver import Solver, adapter, c_solver
-from model.machine import Machine
+from turnbuckle.lab.benchmark.native import BUILD, PEER_FLAGS, compile_object
+from turnbuckle.lab.benchmark.solvers.solver import Solver, adapter, c_solver
+from turnbuckle.model.machine import Machine
 
 QUIET = {"print_iter": False, "print_header": False, "print_info": False, "error_on_fail": True}
 #: qrqp's own tolerances, 1e-8.

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 import quadprog as package
 
-from lab.benchmark.solvers.solver import Answers, Solver
-from lab.benchmark.tension_problems import TensionProblems
+from turnbuckle.lab.benchmark.solvers.solver import Answers, Solver
+from turnbuckle.lab.benchmark.tension_problems import TensionProblems
 
 
 def prepare(problems: TensionProblems) -> Callable[[], Answers]:

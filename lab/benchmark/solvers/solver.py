@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lab.benchmark.native import BUILD, OUR_WARNINGS, compile_object, load_library
-from lab.benchmark.tension_problems import Reals, TensionProblems
-from model.machine import Machine
+from turnbuckle.lab.benchmark.native import BUILD, OUR_WARNINGS, compile_object, load_library
+from turnbuckle.lab.benchmark.tension_problems import Reals, TensionProblems
+from turnbuckle.model.machine import Machine
 
 FOLDER = Path(__file__).parent
 

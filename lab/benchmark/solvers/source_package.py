@@ -5,7 +5,7 @@ import sys
 import tarfile
 from pathlib import Path
 
-from lab.benchmark.native import ROOT, run_tool
+from turnbuckle.lab.benchmark.native import ROOT, run_tool
 
 PEERS = ROOT / "build" / "peers"
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from lab.benchmark.native import BUILD, OUR_FLAGS, compile_object
-from lab.benchmark.solvers.solver import Solver, adapter, c_solver
+from turnbuckle.lab.benchmark.native import BUILD, OUR_FLAGS, compile_object
+from turnbuckle.lab.benchmark.solvers.solver import Solver, adapter, c_solver
 
 OURS = "turnbuckle"
 

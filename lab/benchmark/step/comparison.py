@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lab.benchmark.native import (
+from turnbuckle.lab.benchmark.native import (
     BUILD,
     OUR_FLAGS,
     OUR_WARNINGS,
@@ -17,12 +17,12 @@ from lab.benchmark.native import (
     compile_object,
     load_library,
 )
-from lab.benchmark.solvers.qrqp import generate_c, work_sizes
-from lab.benchmark.step.model_step import ModelStep
-from lab.benchmark.step.motion import recorded_inputs
-from lab.benchmark.tension_problems import Reals
-from lab.benchmark.timing import Timing, time_in_turn
-from model.machine import Machine
+from turnbuckle.lab.benchmark.solvers.qrqp import generate_c, work_sizes
+from turnbuckle.lab.benchmark.step.model_step import ModelStep
+from turnbuckle.lab.benchmark.step.motion import recorded_inputs
+from turnbuckle.lab.benchmark.tension_problems import Reals
+from turnbuckle.lab.benchmark.timing import Timing, time_in_turn
+from turnbuckle.model.machine import Machine
 
 FOLDER = Path(__file__).parent
 CORE = ROOT / "runtime" / "core"

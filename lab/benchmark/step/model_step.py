@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 import casadi as ca
 import numpy as np
 
-from lab.benchmark.solvers.qrqp import EXACT, tension_function
-from lab.benchmark.tension_problems import Reals
-from model.machine import Machine
-from model.symbolic.function import ModelFunction
-from model.symbolic.topics import model_functions
+from turnbuckle.lab.benchmark.solvers.qrqp import EXACT, tension_function
+from turnbuckle.lab.benchmark.tension_problems import Reals
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.symbolic.function import ModelFunction
+from turnbuckle.model.symbolic.topics import model_functions
 
 #: The names of what a cycle remembers, with the numbers it takes for each cable or rail.
 CABLE_MEMORY = {"lengths": 1, "length_rates": 1, "observer": 5, "torque": 1}

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from lab.benchmark.tension_problems import Reals
-from model.machine import Machine
-from model.reference import control, kinematics
+from turnbuckle.lab.benchmark.tension_problems import Reals
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reference import control, kinematics
 
 #: The handle goes round the target in these times [s]; they share no period.
 PERIODS = (5.1, 3.7)

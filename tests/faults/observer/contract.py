@@ -2,11 +2,11 @@
 
 from struct import Struct
 
-from model.bus.axis import Axis
-from model.bus.frames import RPDO, TPDO, Mapped, rpdo_map, tpdo_map
-from model.bus.tables import MASTER_NODE
-from model.machine import Machine
 from observer.causes import Cause
+from turnbuckle.model.bus.axis import Axis
+from turnbuckle.model.bus.frames import RPDO, TPDO, Mapped, rpdo_map, tpdo_map
+from turnbuckle.model.bus.tables import MASTER_NODE
+from turnbuckle.model.machine import Machine
 
 Key = tuple[int, int]
 EXPEDITED = Struct("<BHBI")

@@ -3,8 +3,6 @@
 from collections.abc import Callable
 from struct import Struct
 
-from model.bus.axis import Axis
-from model.machine import Machine
 from observer.causes import HEARTBEAT_LOST, WARNINGS, Cause
 from observer.contract import HOMING_MODE, Contract
 from observer.limits import Bounds, Times, bounds
@@ -22,6 +20,8 @@ from observer.power import (
 )
 from observer.promises import Promise
 from observer.wire import Wire
+from turnbuckle.model.bus.axis import Axis
+from turnbuckle.model.machine import Machine
 
 ANSWER, EMERGENCY = Struct("<Hih"), Struct("<HB5x")
 TORQUE_SETPOINT, POSITION_SETPOINT = Struct("<Hh"), Struct("<Hi")

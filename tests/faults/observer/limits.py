@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from math import ceil, floor
 
-from model.bus.axis import Axis
-from model.bus.plan import compute_phase, loads, timing
-from model.machine import Machine
+from turnbuckle.model.bus.axis import Axis
+from turnbuckle.model.bus.plan import compute_phase, loads, timing
+from turnbuckle.model.machine import Machine
 
 ROUNDING = 1e-9
 

@@ -2,15 +2,23 @@
 
 from collections.abc import Callable, Sequence
 
-from lab.drives.bus import Listener, SimulatedBus
-from lab.drives.node import Frame
-from model.bus.frames import EMERGENCY, HEARTBEAT, RPDO, SDO_ANSWER, SDO_REQUEST, SYNC, TPDO
-from model.bus.tables import MASTER_NODE
-from model.machine import Machine
 from observer.causes import Cause
 from observer.drive import WatchedDrive
 from observer.watch import MachineWatch
 from observer.wire import Wire
+from turnbuckle.lab.drives.bus import Listener, SimulatedBus
+from turnbuckle.lab.drives.node import Frame
+from turnbuckle.model.bus.frames import (
+    EMERGENCY,
+    HEARTBEAT,
+    RPDO,
+    SDO_ANSWER,
+    SDO_REQUEST,
+    SYNC,
+    TPDO,
+)
+from turnbuckle.model.bus.tables import MASTER_NODE
+from turnbuckle.model.machine import Machine
 
 NMT, NODE = 0x000, 0x07F
 RESETS = (0x81, 0x82)

@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from model.bus.axis import axes
-from model.machine import Machine
 from observer.causes import Cause
 from observer.drive import WatchedDrive
 from observer.limits import times
@@ -12,6 +10,8 @@ from observer.power import Power
 from observer.promises import Findings, Promise
 from observer.stops import Stop
 from observer.wire import Wire
+from turnbuckle.model.bus.axis import axes
+from turnbuckle.model.machine import Machine
 
 IN_FLIGHT = 2
 """Cycles that a frame of the master may be under way."""

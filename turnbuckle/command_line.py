@@ -12,16 +12,16 @@ from typing import Annotated
 
 import typer
 
-from codegen.command_line import generate, verify
-from lab.analysis.command_line import analyze, compare
-from lab.command_line import demo
-from lab.design.command_line import optimise, study
-from lab.flight.command_line import log, replay
-from lab.live.command_line import monitor, run
-from model.bus.command_line import bus
-from model.command_line import check
-from model.refusal import Refusal
-from model.terminal import INTERRUPTED, fail
+from turnbuckle.codegen.command_line import generate, verify
+from turnbuckle.lab.analysis.command_line import analyze, compare
+from turnbuckle.lab.command_line import demo
+from turnbuckle.lab.design.command_line import optimise, study
+from turnbuckle.lab.flight.command_line import log, replay
+from turnbuckle.lab.live.command_line import monitor, run
+from turnbuckle.model.bus.command_line import bus
+from turnbuckle.model.command_line import check
+from turnbuckle.model.refusal import Refusal
+from turnbuckle.model.terminal import INTERRUPTED, fail
 
 app = typer.Typer(
     add_completion=False,
