@@ -82,9 +82,9 @@ def test_help_lists_every_command_in_whole_sentences() -> None:
 def test_quick_commands_load_no_casadi(command: str) -> None:
     arguments = [command] if command == "--help" else [command, str(STOCK)]
     script = (
-        "import sys, turnbuckle\n"
+        "import sys, turnbuckle.command_line\n"
         f"sys.argv = ['turnbuckle', *{arguments!r}]\n"
-        "try: turnbuckle.main()\n"
+        "try: turnbuckle.command_line.main()\n"
         "except SystemExit as end: assert not end.code\n"
         "print('LOADED', 'casadi' in sys.modules, 'matplotlib' in sys.modules)\n"
     )
