@@ -426,6 +426,7 @@ static const tb_abort_text abort_texts[] = {
     {0x06090031, "value too high"},
     {0x06090032, "value too low"},
     {0x06090036, "maximum is less than minimum"},
+    {0x060A0023, "resource not available"},
     {TB_SDO_ABORT_GENERAL, "general error"},
     {0x08000020, "data cannot be stored"},
     {0x08000021, "data cannot be stored: local control"},

@@ -49,6 +49,7 @@ def test_heartbeats_tell_the_state_and_boot_up_messages_are_counted() -> None:
     assert heard(b"\x00").boots == 1
     assert heard(b"\x00", b"\x7f", b"\x05").state == C.TB_NMT_OPERATIONAL
     assert heard(b"\x00", b"\x05", b"\x00").boots == 2
+    assert heard(*[b"\x00"] * 300).boots == 255
     assert heard(b"\x85").state == C.TB_NMT_OPERATIONAL  # the bit of node guarding is not read
 
 

@@ -82,7 +82,8 @@ def test_speed_gained_against_a_push_is_the_wrong_way(way: float) -> None:
 
 @pytest.mark.parametrize("way", [-1.0, 1.0])
 def test_speed_that_was_there_before_or_is_lost_is_not_gained_against_the_push(way: float) -> None:
-    for before, after in ((-1.0, -1.0 - 0.99 * GAINED), (1.0, 1.0 - 2 * GAINED)):
+    of_push = ((-1.0, -1.0 - 0.99 * GAINED), (1.0, 1.0 - 2 * GAINED), (2 * GAINED, 0.0))
+    for before, after in of_push:
         carriage = Carriage()
         assert carriage.look(0.6 * way, speed=before * way) == "TB_CAUSE_NONE"
         assert carriage.look(0.6 * way, speed=after * way) == "TB_CAUSE_NONE"

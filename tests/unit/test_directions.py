@@ -164,6 +164,29 @@ def test_a_base_that_no_push_moves_is_blocked(moments: tuple[Machine, Moments]) 
     assert max(strongest) <= 0.51 * NUMBERS["TB_RAIL_TORQUE_LIMIT"]
 
 
+@pytest.mark.parametrize("share", [0.03, 0.1, 0.2, 0.4])
+def test_a_base_that_sticks_is_pushed_twice_as_hard_until_it_moves(
+    moments: tuple[Machine, Moments], share: float
+) -> None:
+    machine, saved = moments
+    machine.restore(saved["HOME TRY_BASES"])
+    stiction = share * NUMBERS["TB_RAIL_TORQUE_LIMIT"]
+    here, pushes = machine.rails[2], {0.0}
+
+    def stick(_: Observation) -> None:
+        nonlocal here
+        push = abs(machine.orders.drives[CABLES + 2].torque)
+        pushes.add(push)
+        if push <= stiction:
+            machine.rails[2], machine.rates[2] = here, 0.0
+        here = machine.rails[2]
+
+    assert tried(machine, stick)[:2] == ("BASE_MODE", "NONE")
+    wanted = [NUMBERS["TB_RAIL_TORQUE_LIMIT"] / 16 * 2**k for k in range(4)]
+    enough = next(push for push in wanted if push > stiction)
+    assert np.isclose(max(pushes), enough, rtol=1e-9)
+
+
 def test_a_base_at_either_end_of_its_rail_is_pushed_away_from_there(
     moments: tuple[Machine, Moments],
 ) -> None:

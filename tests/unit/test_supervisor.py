@@ -113,6 +113,17 @@ def test_the_pose_is_known_after_the_bring_up(at: At) -> None:
     assert np.allclose(machine.orders.controller.pose, machine.handle, atol=1e-6)
 
 
+def test_bases_sweep_in_rhythms_of_their_own_so_that_poses_differ(at: At) -> None:
+    machine = at("HOME SWEEP")
+    middles = [0.3559, 0.2309, 0.3559, 0.2309]
+    sides: list[list[bool]] = [[] for _ in middles]
+    while machine.step().phase == Phase.SWEEP:
+        for rail, middle in enumerate(middles):
+            sides[rail].append(machine.rails[rail] > middle)
+    crossings = [sum(a != b for a, b in itertools.pairwise(side)) for side in sides]
+    assert crossings == [2, 4, 6, 2]
+
+
 def test_bases_follow_the_handle_in_run(at: At) -> None:
     machine = at("RUN NONE")
     for _ in range(1000):

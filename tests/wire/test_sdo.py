@@ -449,13 +449,8 @@ def test_a_transfer_that_was_not_begun_owes_no_answer(server: Server) -> None:
 
 # ---- Words ----
 
-ABORT_CODES = [
-    *(0x05030000, *range(0x05040000, 0x05040006)),
-    *(0x06010000, 0x06010001, 0x06010002, 0x06010003, 0x06010004, 0x06020000),
-    *(0x06040041, 0x06040042, 0x06040043, 0x06040047, 0x06060000, 0x06070010, 0x06070012),
-    *(0x06070013, 0x06090011, 0x06090030, 0x06090031, 0x06090032, 0x06090036, 0x08000000),
-    *(0x08000020, 0x08000021, 0x08000022, 0x08000023, 0x0F00FFBE, 0x0F00FFBF, 0x0F00FFC0),
-]
+OF_EPOS4 = (0x06010003, 0x06010004, 0x0F00FFBE, 0x0F00FFBF, 0x0F00FFC0)
+ABORT_CODES = [*canopen.SdoAbortedError.CODES, *OF_EPOS4]
 
 
 def test_every_abort_code_has_words_of_its_own() -> None:
