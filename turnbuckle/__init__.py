@@ -1,17 +1,28 @@
 """Describe a cable-driven haptic machine in one file; get its controller as C.
 
-load compiles the C of a machine and binds it; Refusal is what every function raises that cannot do
-what it was asked for. The rest is in turnbuckle.model, turnbuckle.codegen and turnbuckle.lab.
+load compiles the C of a machine and binds it, load_machine only reads the file; PoseMap,
+target_grid and tally map its workspace. Refusal is what every function raises that cannot do what
+it was asked for. The rest is in turnbuckle.model, turnbuckle.codegen and turnbuckle.lab.
 """
 
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from turnbuckle.codegen.bind import load
+    from turnbuckle.codegen.map_tally import tally
+    from turnbuckle.codegen.pose_map import PoseMap, target_grid
+    from turnbuckle.model.machine import load_machine
     from turnbuckle.model.refusal import Refusal
 
-__all__ = ["Refusal", "load"]
-_HOMES = {"load": "turnbuckle.codegen.bind", "Refusal": "turnbuckle.model.refusal"}
+__all__ = ["PoseMap", "Refusal", "load", "load_machine", "tally", "target_grid"]
+_HOMES = {
+    "PoseMap": "turnbuckle.codegen.pose_map",
+    "Refusal": "turnbuckle.model.refusal",
+    "load": "turnbuckle.codegen.bind",
+    "load_machine": "turnbuckle.model.machine",
+    "tally": "turnbuckle.codegen.map_tally",
+    "target_grid": "turnbuckle.codegen.pose_map",
+}
 
 
 def __getattr__(name: str) -> Any:
