@@ -75,6 +75,14 @@ def test_a_reference_moves_no_faster_than_it_may_and_stops_at_its_target(
     assert np.allclose(places, expected, rtol=0, atol=1e-12)
 
 
+def test_a_base_that_is_taken_over_again_begins_at_rest() -> None:
+    guide, there = Guide(), moved(1, 0.001)
+    for _ in range(50):
+        guide.step(there, HOME)
+    guide.c.tb_guide_take(byref(guide.memory), c_size_t(1), c_double(there[1]))
+    assert guide.step(there, there) == [0.0] * RAILS
+
+
 def test_a_base_that_is_where_it_should_be_is_not_pushed_and_another_is_pushed_back() -> None:
     guide = Guide()
     assert guide.step(HOME, HOME) == [0.0] * RAILS
