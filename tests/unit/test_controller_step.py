@@ -214,6 +214,17 @@ def test_a_controller_started_on_a_bad_reading_waits_safely_for_a_good_one(
     assert np.abs(outputs.velocity[10]).max() <= eps(outputs) * machine.control.rate
 
 
+def test_a_controller_that_searches_its_pose_is_started_where_the_platform_is() -> None:
+    generated = committed("planar_rigid", "double")
+    machine = generated.machine
+    pose = np.array([*machine.target.centre, 0.0]) + [0.02, -0.015, 0.1]
+    rails = np.array([0.4 * rail.length for rail in machine.rails])
+    lengths = generated.cable_lengths(pose, rails)
+    controller = Controller(generated)
+    assert controller.start(lengths, rails) == Status.OK
+    assert np.allclose(controller.memory["pose"][0], pose, rtol=0, atol=1e-9)
+
+
 def test_torques_and_the_memory_of_bases_are_taken_over(controller: Controller) -> None:
     torque, base = (np.arange(controller.memory[name].size) + 0.5 for name in ("torque", "base"))
     before = controller.memory.copy()
