@@ -16,6 +16,7 @@ import numpy as np
 
 from turnbuckle.codegen.bind import keep_text
 from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab.causes import causes
 
 ROOT = Path(__file__).parents[1]
 CORE = ROOT / "runtime" / "core"
@@ -41,7 +42,7 @@ def names(header: str, prefix: str) -> type[IntEnum]:
 
 State: Any = names("supervisor.h", "TB_STATE_")
 Phase: Any = names("supervisor.h", "TB_PHASE_")
-Cause: Any = names("cause.h", "TB_CAUSE_")
+Cause: Any = IntEnum("CAUSE", {cause.name: k for k, cause in enumerate(causes())})
 Power: Any = names("drive.h", "TB_POWER_")
 Goal: Any = names("drive.h", "TB_GOAL_")
 Mode: Any = names("drive.h", "TB_MODE_")
