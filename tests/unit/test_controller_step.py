@@ -217,7 +217,7 @@ def test_a_controller_started_on_a_bad_reading_waits_safely_for_a_good_one(
 def test_a_controller_that_searches_its_pose_is_started_where_the_platform_is() -> None:
     generated = committed("planar_rigid", "double")
     machine = generated.machine
-    pose = np.array([*machine.target.centre, 0.0]) + [0.02, -0.015, 0.1]
+    pose = np.add([*machine.target.centre, 0.0], [0.02, -0.015, 0.1])
     rails = np.array([0.4 * rail.length for rail in machine.rails])
     lengths = generated.cable_lengths(pose, rails)
     controller = Controller(generated)
