@@ -311,7 +311,7 @@ def test_a_library_of_another_layout_is_refused(
     generated: Generated, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     wrong = {"double": np.float32, "float": np.float64}
-    monkeypatch.setattr("codegen.controller.REALS", wrong)
+    monkeypatch.setattr("turnbuckle.codegen.controller.REALS", wrong)
     with pytest.raises(RuntimeError, match=r"tb_inputs has \d+ bytes in the library"):
         Controller(generated)
 

@@ -14,6 +14,7 @@ from guest import run_in_guest
 
 from turnbuckle.codegen.bind import Generated, generate_into_cache
 from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live.program import build_program
 from turnbuckle.lab.live.simulated import Bench
 from turnbuckle.model.machine import load_machine
@@ -66,7 +67,7 @@ def brisk(stock_file: Path, folder: Path) -> Bench:
     machine = load_machine(file)
     task = plan_task(Generated(machine, generate_into_cache(machine), "double"))
     rails = [float(s) for s in base_targets(machine, task.path.at(0.0)[0])]
-    return Bench(machine, plant_of(machine), task, rails)
+    return Bench(machine, plant_of(machine), task, rails, WIRES["worst"])
 
 
 def test_eight_drives_are_brought_from_power_on_to_work_and_stopped(
