@@ -93,8 +93,9 @@ WORKERS ?= $(shell expr $$(nproc) + 1)
 test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
-soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
+soak: $(SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires
 	$(VENV)/bin/python -m turnbuckle.lab.soak $(CYCLES:%=--cycles %)
+	$(VENV)/bin/python -m pytest tests/wire/every_machine_on_its_wires.py
 
 campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
