@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from turnbuckle.codegen.composite import Item, cost
 from turnbuckle.codegen.double_double import DoubleDouble
 from turnbuckle.codegen.evaluate import (
     DOUBLE,
@@ -21,6 +20,7 @@ from turnbuckle.codegen.evaluate import (
     evaluate,
     extended,
 )
+from turnbuckle.codegen.item import Item, cost
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.model.machine import Machine
 

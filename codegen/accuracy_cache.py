@@ -14,21 +14,26 @@ import numpy as np
 from turnbuckle.codegen import (
     accuracy,
     chain,
-    composite,
     double_double,
     enumeration,
     evaluate,
     ir,
+    item,
+    loop,
+    procedure,
     samples,
 )
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase, measure
-from turnbuckle.codegen.composite import Item, fingerprint
+from turnbuckle.codegen.item import Item, fingerprint
 from turnbuckle.model.machine import Machine
 from turnbuckle.places import cache_folder
 
 #: Where measurements are kept between runs; safe to delete.
 CACHE = cache_folder() / "accuracy"
-_METHOD = (accuracy, chain, composite, double_double, enumeration, evaluate, ir, samples)
+_METHOD = (
+    *(accuracy, chain, double_double, enumeration, evaluate),
+    *(ir, item, loop, procedure, samples),
+)
 
 
 def measured_accuracy(machine: Machine, routines: list[Item]) -> dict[str, Accuracy]:

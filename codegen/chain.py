@@ -1,25 +1,22 @@
 """Compositions, lowered."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from turnbuckle.codegen.enumeration import Enumeration, enumeration
 from turnbuckle.codegen.fitting import Shape, refuse_strangers, shapes
 from turnbuckle.codegen.ir import Routine
+from turnbuckle.codegen.item import Item
 from turnbuckle.model.symbolic.composition import Call, Composition
 from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Port, judged_by_results
 from turnbuckle.model.symbolic.sweep import Sweep
-
-if TYPE_CHECKING:
-    from turnbuckle.codegen.composite import Item
 
 
 @dataclass(frozen=True)
 class Link:
     """One call of a chain; `own` where only the chain has the function."""
 
-    item: "Item"
+    item: Item
     call: Call
     own: bool
 
@@ -55,9 +52,32 @@ class Chain:
             tuple(v for link in self.links for v in link.item.function.verdicts),
         )
 
-    def own(self) -> "list[Item]":
-        """The functions that only this one calls."""
+    @property
+    def steps(self) -> int:
+        """Most steps of its own loop."""
+        return 0
+
+    @property
+    def visits(self) -> int:
+        """Subsets of the cables that it visits itself."""
+        return 0
+
+    def calls(self) -> Sequence[tuple[Item, int]]:
+        """Every link once."""
+        return [(link.item, 1) for link in self.links]
+
+    def own(self) -> Sequence[Item]:
+        """What it alone calls."""
         return [link.item for link in self.links if link.own]
+
+    def operations(self) -> Mapping[str, int]:
+        """None of its own."""
+        return {}
+
+    def text(self) -> str:
+        """Its name, and how its parts are called."""
+        calls = [f"{sorted(link.call.renamed.items())} {link.call.given!r}" for link in self.links]
+        return "\n".join([self.composition.name, *calls])
 
     def called(self) -> list[str]:
         """Names of the functions that others may call too."""
@@ -66,7 +86,7 @@ class Chain:
 
 def chain(
     composition: Composition,
-    known: "Mapping[str, Item]",
+    known: Mapping[str, Item],
     lowered: Callable[[ModelFunction], Routine],
 ) -> Chain:
     """The calls of a composition on functions that are known or its own.

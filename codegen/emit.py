@@ -5,10 +5,12 @@ from dataclasses import dataclass
 
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase
 from turnbuckle.codegen.chain import Chain, Link
-from turnbuckle.codegen.composite import Item, Loop, Procedure, cost, most_steps, most_visits
 from turnbuckle.codegen.enumeration import Enumeration
 from turnbuckle.codegen.ir import Op, Routine
+from turnbuckle.codegen.item import Item, cost, most_steps, most_visits
+from turnbuckle.codegen.loop import Loop
 from turnbuckle.codegen.print_c import LINE_WIDTH, Printer, literal, wrap
+from turnbuckle.codegen.procedure import Procedure
 from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Status
 from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS
 
@@ -41,23 +43,23 @@ def emit(item: Item, accuracy: Accuracy) -> CFunction:
 
 def item_body(item: Item) -> list[str]:
     """The statements of a function."""
-    if isinstance(item, Procedure):
-        return retry_body(item)
-    if isinstance(item, Enumeration):
-        return sweep_body(item)
-    if isinstance(item, Chain):
-        return chain_body(item)
-    return loop_body(item) if isinstance(item, Loop) else body(item)
+    match item:
+        case Procedure():
+            return retry_body(item)
+        case Enumeration():
+            return sweep_body(item)
+        case Chain():
+            return chain_body(item)
+        case Loop():
+            return loop_body(item)
+        case Routine():
+            return body(item)
+    raise TypeError(f"{item.function.name}: no C is known for a {type(item).__name__}")
 
 
 def private(item: Item) -> list[Item]:
     """The functions that only this one calls, and what only they call before them."""
-    own: list[Item] = []
-    if isinstance(item, Loop | Enumeration):
-        own += item.parts()
-    elif isinstance(item, Chain):
-        own += item.own()
-    return [part for called in own for part in (*private(called), called)]
+    return [part for called in item.own() for part in (*private(called), called)]
 
 
 def part(item: Item) -> CFunction:
@@ -75,7 +77,7 @@ def part(item: Item) -> CFunction:
 def loop_body(item: Loop) -> list[str]:
     """Begin, step until that is done or fails, finish."""
     function, done = item.function, item.done.name
-    begin, step, finish = (call(routine.function, {}) for routine in item.parts())
+    begin, step, finish = (call(routine.function, {}) for routine in item.own())
     return [
         *(f"    real_t {entry.name}[{entry.size}];" for entry in item.state),
         f"    real_t {done}[1] = {{{literal(0.0)}}};",
@@ -97,7 +99,7 @@ def loop_body(item: Loop) -> list[str]:
 def sweep_body(item: Enumeration) -> list[str]:
     """Begin, visit every subset in the table, finish."""
     subsets, function = item.sweep.subsets, item.function
-    begin, visit, finish = (call(routine.function, {}) for routine in item.parts())
+    begin, visit, finish = (call(routine.function, {}) for routine in item.own())
     rows = ", ".join(f"{{{','.join(map(str, subset))}}}" for subset in subsets)
     table = f"subsets[{len(subsets)}][{len(subsets[0])}]"
     lines = wrap(f"    static const unsigned char {table} = {{{rows}}};", "    ")

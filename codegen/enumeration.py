@@ -1,10 +1,11 @@
 """Sweeps over subsets of the cables, lowered."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from turnbuckle.codegen.fitting import refuse_strangers, shapes
 from turnbuckle.codegen.ir import Routine
+from turnbuckle.codegen.item import Item
 from turnbuckle.model.symbolic.function import ModelFunction, Output, judged_by_results
 from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS, Sweep
 
@@ -42,9 +43,33 @@ class Enumeration:
         shape = shapes(self.begin.function.ports)[self.sweep.matrix]
         return shape[0], shape[1]
 
-    def parts(self) -> list[Routine]:
-        """What is called, in order."""
+    @property
+    def steps(self) -> int:
+        """Most steps of its own loop."""
+        return 0
+
+    @property
+    def visits(self) -> int:
+        """Subsets of the cables that it visits itself."""
+        return len(self.sweep.subsets)
+
+    def calls(self) -> Sequence[tuple[Item, int]]:
+        """Begin once, one visit of every subset, the finish once."""
+        return [(self.begin, 1), (self.visit, self.visits), (self.finish, 1)]
+
+    def own(self) -> Sequence[Item]:
+        """What it alone calls."""
         return [self.begin, self.visit, self.finish]
+
+    def operations(self) -> Mapping[str, int]:
+        """None of its own."""
+        return {}
+
+    def text(self) -> str:
+        """Its name, and how its parts are called."""
+        parts = (self.begin, self.visit, self.finish)
+        names = [[port.name for port in part.function.ports] for part in parts]
+        return f"{self.sweep.name} {self.sweep.matrix} {self.sweep.subsets} {names}"
 
 
 def enumeration(sweep: Sweep, lowered: Callable[[ModelFunction], Routine]) -> Enumeration:

@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.chain import Chain
-from turnbuckle.codegen.composite import Item, Loop, Procedure
 from turnbuckle.codegen.double_double import DoubleDouble, choose
 from turnbuckle.codegen.enumeration import Enumeration
 from turnbuckle.codegen.ir import Node, Op, Routine
+from turnbuckle.codegen.item import Item
+from turnbuckle.codegen.loop import Loop
+from turnbuckle.codegen.procedure import Procedure
 from turnbuckle.model.symbolic.function import Port, Status
 from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS
 
@@ -61,15 +63,18 @@ def evaluate(item: Item, inputs: list[NDArray[Any]], arithmetic: Arithmetic) -> 
 
 
 def _evaluate(item: Item, inputs: Arguments, count: int, arithmetic: Arithmetic) -> Result:
-    if isinstance(item, Procedure):
-        return _retry(item, inputs, count, arithmetic)
-    if isinstance(item, Loop):
-        return _repeat(item, inputs, count, arithmetic)
-    if isinstance(item, Enumeration):
-        return _sweep(item, inputs, count, arithmetic)
-    if isinstance(item, Chain):
-        return _compose(item, inputs, count, arithmetic)
-    return _run(item, inputs, count, arithmetic)
+    match item:
+        case Procedure():
+            return _retry(item, inputs, count, arithmetic)
+        case Loop():
+            return _repeat(item, inputs, count, arithmetic)
+        case Enumeration():
+            return _sweep(item, inputs, count, arithmetic)
+        case Chain():
+            return _compose(item, inputs, count, arithmetic)
+        case Routine():
+            return _run(item, inputs, count, arithmetic)
+    raise TypeError(f"{item.function.name}: nothing evaluates a {type(item).__name__}")
 
 
 def _retry(item: Procedure, inputs: Arguments, count: int, arithmetic: Arithmetic) -> Result:

@@ -13,11 +13,11 @@ from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bus.dbc import dbc_files
 from turnbuckle.codegen.bus.drives import drive_fields
 from turnbuckle.codegen.chain import Chain
-from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.constants import constants
 from turnbuckle.codegen.emit import CFunction, emit, emit_alias
 from turnbuckle.codegen.folder import write_folder
 from turnbuckle.codegen.identity import CASADI_VERSION, GENERATOR_VERSION, machine_hash
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Input, Output, Status

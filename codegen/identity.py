@@ -10,8 +10,8 @@ from collections.abc import Iterator
 import casadi
 
 from turnbuckle.codegen.bus.drives import drive_fields, groups
-from turnbuckle.codegen.composite import fingerprint
 from turnbuckle.codegen.constants import Constant, constants
+from turnbuckle.codegen.item import fingerprint
 from turnbuckle.codegen.model import Model
 from turnbuckle.model.machine import Machine
 

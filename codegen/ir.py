@@ -39,6 +39,22 @@ LOGICAL = frozenset({Op.LT, Op.LE, Op.EQ, Op.NE, Op.NOT, Op.AND, Op.OR})
 #: Operations without operands.
 LEAVES = frozenset({Op.CONSTANT, Op.INPUT, Op.EPSILON})
 COMMUTATIVE = frozenset({Op.ADD, Op.MUL, Op.EQ, Op.NE, Op.AND, Op.OR})
+#: What is counted of a cost, and by which name; what is not here costs nothing worth telling.
+COST_CLASSES = {
+    Op.ADD: "add",
+    Op.SUB: "add",
+    Op.NEG: "add",
+    Op.MUL: "mul",
+    Op.DIV: "div",
+    Op.SQRT: "sqrt",
+    Op.LT: "compare",
+    Op.LE: "compare",
+    Op.EQ: "compare",
+    Op.NE: "compare",
+    Op.SELECT: "select",
+    Op.MIN: "select",
+    Op.MAX: "select",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,3 +96,34 @@ class Routine:
                 seen.add(number)
                 stack.extend(self.nodes[number].args)
         return seen
+
+    @property
+    def steps(self) -> int:
+        """No loop."""
+        return 0
+
+    @property
+    def visits(self) -> int:
+        """No subsets."""
+        return 0
+
+    def calls(self) -> Sequence[tuple["Routine", int]]:
+        """Nothing: it is all there is."""
+        return ()
+
+    def own(self) -> Sequence["Routine"]:
+        """Nothing."""
+        return ()
+
+    def operations(self) -> dict[str, int]:
+        """Operations with every branch counted, by class."""
+        counts = dict.fromkeys(COST_CLASSES.values(), 0)
+        for number in self.needed():
+            if name := COST_CLASSES.get(self.nodes[number].op):
+                counts[name] += 1
+        return {name: count for name, count in counts.items() if count}
+
+    def text(self) -> str:
+        """Every node, as text."""
+        nodes = [f"{n.op.value} {n.args} {n.value!r} {n.entry}" for n in self.nodes]
+        return "\n".join([self.function.name, *nodes, repr(self.outputs), repr(self.verdicts)])

@@ -3,10 +3,12 @@
 from dataclasses import dataclass
 
 from turnbuckle.codegen.chain import chain
-from turnbuckle.codegen.composite import Item, Procedure, loop
 from turnbuckle.codegen.enumeration import enumeration
 from turnbuckle.codegen.ir import Routine
+from turnbuckle.codegen.item import Item
+from turnbuckle.codegen.loop import loop
 from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.procedure import Procedure
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.composition import Composite, Composition

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 import turnbuckle.codegen.compile
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import REALS, Generated, folder_of
-from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
 from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.verify import call
 from turnbuckle.model.machine import Machine

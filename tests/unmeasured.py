@@ -7,8 +7,8 @@ from built import optimised
 
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import Generated, folder_of
-from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.lower import lower
 from turnbuckle.codegen.model import Model, composed
 from turnbuckle.codegen.simplify import simplify

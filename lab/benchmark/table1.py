@@ -11,8 +11,8 @@ import numpy as np
 
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import folder_of
-from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model, composed, lowered
 from turnbuckle.lab.benchmark.solvers.kernel import DAQP, QUADPROG, kernel_daqp, kernel_quadprog
 from turnbuckle.lab.benchmark.solvers.reduced import REDUCED, reduced

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.lower import lower
 from turnbuckle.codegen.model import composed
 from turnbuckle.codegen.simplify import simplify

@@ -12,7 +12,7 @@ from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
 from turnbuckle.codegen.bind import Generated
-from turnbuckle.codegen.composite import Item
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import composed, lowered
 from turnbuckle.model.kind import KINDS
 from turnbuckle.model.machine import Machine

@@ -13,8 +13,8 @@ from scipy.spatial import ConvexHull
 
 from turnbuckle.codegen.bind import REALS, Generated
 from turnbuckle.codegen.chain import Chain, chain
-from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.enumeration import enumeration
+from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import composed, lowered
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic import arguments, kinematic_functions, quality_by_facets, tension

@@ -23,8 +23,9 @@ from many_cables import (
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.bind import REALS, Generated
-from turnbuckle.codegen.composite import Item, Loop
 from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
+from turnbuckle.codegen.item import Item
+from turnbuckle.codegen.loop import Loop
 from turnbuckle.codegen.verify import call
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Status

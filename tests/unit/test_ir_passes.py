@@ -4,9 +4,9 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from turnbuckle.codegen.composite import cost, fingerprint
 from turnbuckle.codegen.evaluate import DOUBLE, evaluate
 from turnbuckle.codegen.ir import Op, Routine
+from turnbuckle.codegen.item import cost, fingerprint
 from turnbuckle.codegen.lower import LoweringError, lower
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.symbolic.function import ModelFunction, make_input, vector_output

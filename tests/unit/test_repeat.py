@@ -7,9 +7,11 @@ from built import answered, built
 
 from turnbuckle.codegen.accuracy import measure
 from turnbuckle.codegen.bind import REALS
-from turnbuckle.codegen.composite import Loop, Procedure, cost, fingerprint, loop
 from turnbuckle.codegen.evaluate import DOUBLE, evaluate, extended
+from turnbuckle.codegen.item import cost, fingerprint
+from turnbuckle.codegen.loop import Loop, loop
 from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.procedure import Procedure
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.codegen.verify import call
 from turnbuckle.model.machine import Machine

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from turnbuckle.codegen.accuracy import FEWEST_POINTS, FIRST_POINTS, MOST_WORK, affordable
 from turnbuckle.codegen.bind import REALS
-from turnbuckle.codegen.composite import cost, fingerprint, most_visits
 from turnbuckle.codegen.enumeration import Enumeration, enumeration
 from turnbuckle.codegen.evaluate import DOUBLE, evaluate, extended
+from turnbuckle.codegen.item import cost, fingerprint, most_visits
 from turnbuckle.codegen.model import lowered
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import (
