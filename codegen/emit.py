@@ -2,6 +2,8 @@
 
 import textwrap
 from dataclasses import dataclass
+from itertools import groupby
+from operator import itemgetter
 
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase
 from turnbuckle.codegen.chain import Chain, Link
@@ -9,7 +11,7 @@ from turnbuckle.codegen.enumeration import Enumeration
 from turnbuckle.codegen.ir import Op, Routine
 from turnbuckle.codegen.item import Item, cost, most_steps, most_visits
 from turnbuckle.codegen.loop import Loop
-from turnbuckle.codegen.print_c import LINE_WIDTH, Printer, literal, wrap
+from turnbuckle.codegen.print_c import LINE_WIDTH, Printer, Text, literal, wrap
 from turnbuckle.codegen.procedure import Procedure
 from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Status
 from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS
@@ -32,12 +34,14 @@ class CFunction:
 def emit(item: Item, accuracy: Accuracy) -> CFunction:
     """The C of one function."""
     function = item.function
+    lines, refused = one_fallback(item_body(item), function)
+    parts = [found for called in private(item) for found in part(called)]
     return CFunction(
         f"tb_{function.name}",
         comment(item, accuracy),
         prototype(f"tb_{function.name}", function),
-        "\n".join(item_body(item)),
-        tuple(map(part, private(item))),
+        "\n".join(lines),
+        (*parts, *refused),
     )
 
 
@@ -62,16 +66,43 @@ def private(item: Item) -> list[Item]:
     return [part for called in item.own() for part in (*private(called), called)]
 
 
-def part(item: Item) -> CFunction:
-    """An item that only the functions of its file call."""
+def part(item: Item) -> list[CFunction]:
+    """An item that only the functions of its file call, after what it alone calls."""
     function = item.function
-    text = f"{function.summary}."
-    return CFunction(
+    lines, refused = one_fallback(item_body(item), function)
+    own = CFunction(
         f"tb_{function.name}",
-        "\n * ".join(fill(text, "")),
+        "\n * ".join(fill(f"{function.summary}.", "")),
         f"static {prototype(f'tb_{function.name}', function)}",
-        "\n".join(item_body(item)),
+        "\n".join(lines),
     )
+    return [*refused, own]
+
+
+def one_fallback(lines: list[str], function: ModelFunction) -> tuple[list[str], list[CFunction]]:
+    """A body that gives its results their fallback in one place: there, or in a function of its own
+    where there are several ways out."""
+    name = f"tb_refuse_{function.name}"
+    ways_out = [line for line in lines if f"return {name}(" in line]
+    if len(ways_out) == 1:
+        place = lines.index(ways_out[0])
+        status = ways_out[0].partition("(")[2].partition(",")[0]
+        answer = [*fallback(function), f"        return {status};"]
+        return [*lines[:place], *answer, *lines[place + 1 :]], []
+    if not ways_out:
+        return lines, []
+    results = "; ".join(fallback_text(output) for output in function.outputs)
+    body = [*(line[4:] for line in fallback(function)), "    return status;"]
+    outputs = [f"real_t {output.name}[{output.size}]" for output in function.outputs]
+    head = "\n".join(parameters(f"static tb_status {name}", ["tb_status status", *outputs]))
+    comment = "\n * ".join(fill(f"Refuses with a status: {results}.", ""))
+    return lines, [CFunction(name, comment, head, "\n".join(body))]
+
+
+def fallback_text(output: Output) -> str:
+    """What a refusal makes of a result, in words."""
+    unit = "" if output.unit == "1" else f" {output.unit}"
+    return f"{output.name} is {output.fallback:g}{unit}"
 
 
 def loop_body(item: Loop) -> list[str]:
@@ -90,7 +121,7 @@ def loop_body(item: Loop) -> list[str]:
         "        status = TB_INACCURATE;",
         "    }",
         "    if (status != TB_OK) {",
-        *fallback("status", function),
+        way_out("status", function),
         "    }",
         *wrap(f"    return {finish};", "    "),
     ]
@@ -105,7 +136,7 @@ def sweep_body(item: Enumeration) -> list[str]:
     lines = wrap(f"    static const unsigned char {table} = {{{rows}}};", "    ")
     lines += [f"    real_t {entry.name}[{entry.size}];" for entry in item.state]
     lines += wrap(f"    const tb_status status = {begin};", "    ")
-    lines += ["    if (status != TB_OK) {", *fallback("status", function), "    }"]
+    lines += ["    if (status != TB_OK) {", way_out("status", function), "    }"]
     lines += [f"    for (int k = 0; k < {len(subsets)}; k++) {{", *gather(item)]
     lines += wrap(f"        (void){visit};", "        ")
     return [*lines, "    }", *wrap(f"    return {finish};", "    ")]
@@ -165,7 +196,7 @@ def link_lines(link: Link, function: ModelFunction, unsure: bool) -> list[str]:
     else:
         lines = wrap(f"    status = {link_call(link)};", "    ")
     if may_fail(link):
-        lines += ["    if (status > TB_INFEASIBLE) {", *fallback("status", function), "    }"]
+        lines += ["    if (status > TB_INFEASIBLE) {", way_out("status", function), "    }"]
     if unsure:
         lines.append("    infeasible = infeasible || status == TB_INFEASIBLE;")
     if link.call.given:
@@ -254,9 +285,20 @@ def prototype(name: str, function: ModelFunction) -> str:
         port.name: results.get(port.name, f"const real_t {port.name}[{max(1, port.size)}]")
         for port in function.inputs
     }
-    parameters = list((arguments | results).values())
-    lines = wrap(f"tb_status {name}({', '.join(parameters)})", "")
-    return "\n".join(lines)
+    return "\n".join(parameters(f"tb_status {name}", [*(arguments | results).values()]))
+
+
+def parameters(head: str, entries: list[str]) -> list[str]:
+    """The head of a function, broken between parameters alone."""
+    lines = [f"{head}({entries[0]}"]
+    for entry in entries[1:]:
+        if len(f"{lines[-1]}, {entry},") > LINE_WIDTH:
+            lines[-1] += ","
+            lines.append(f"    {entry}")
+        else:
+            lines[-1] += f", {entry}"
+    lines[-1] += ")"
+    return lines
 
 
 def comment(routine: Item, accuracy: Accuracy) -> str:
@@ -346,9 +388,11 @@ def body(routine: Routine) -> list[str]:
     lines = [f"    (void){port.name};" for port in ignored(routine)]
     lines += guard(function)
     lines += printer.body()
-    for verdict, number in zip(function.verdicts, routine.verdicts, strict=True):
-        if verdict.is_fault:
-            lines += refusal(printer.result(number), verdict.status, function)
+    pairs = zip(function.verdicts, routine.verdicts, strict=True)
+    faults = [(verdict.status, number) for verdict, number in pairs if verdict.is_fault]
+    for status, alike in groupby(faults, key=itemgetter(0)):
+        operands = [printer.operand(number) for _, number in alike]
+        lines += refusal(joined(operands), status, function)
     return [*lines, *results(routine, printer), *answer(routine, printer)]
 
 
@@ -364,6 +408,11 @@ def ignored(routine: Routine) -> list[Input]:
         for place, port in enumerate(routine.function.inputs)
         if not port.size or (place not in entries and not port.guarded)
     ]
+
+
+def joined(flags: list[Text]) -> str:
+    """One of them holds."""
+    return flags[0].code if len(flags) == 1 else " || ".join(flag.within(0) for flag in flags)
 
 
 def results(routine: Routine, printer: Printer) -> list[str]:
@@ -390,8 +439,7 @@ def answer(routine: Routine, printer: Printer) -> list[str]:
     flags = [printer.operand(number) for verdict, number in pairs if not verdict.is_fault]
     if not flags:
         return ["    return TB_OK;"]
-    condition = " || ".join(flag.within(0) for flag in flags)
-    condition = condition if len(flags) == 1 else f"({condition})"
+    condition = joined(flags) if len(flags) == 1 else f"({joined(flags)})"
     return [f"    return {condition} ? TB_{Status.INFEASIBLE.name} : TB_OK;"]
 
 
@@ -404,7 +452,7 @@ def guard(function: ModelFunction) -> list[str]:
     for test in tests:
         lines += wrap(f"          && {test}" if lines else f"    if (!({test}", "          ")
     lines[-1] += ")) {"
-    return [*lines, *fallback("TB_OUT_OF_DOMAIN", function), "    }"]
+    return [*lines, way_out("TB_OUT_OF_DOMAIN", function), "    }"]
 
 
 def domain_tests(port: Input) -> list[str]:
@@ -423,15 +471,20 @@ def domain_tests(port: Input) -> list[str]:
 
 def refusal(condition: str, status: Status, function: ModelFunction) -> list[str]:
     """Returns the fallback where a condition holds."""
-    answered = fallback(f"TB_{status.name}", function)
-    return [*wrap(f"    if ({condition}) {{", "    "), *answered, "    }"]
+    answered = way_out(f"TB_{status.name}", function)
+    return [*wrap(f"    if ({condition}) {{", "    "), answered, "    }"]
 
 
-def fallback(status: str, function: ModelFunction) -> list[str]:
-    """Statements that give every output its fallback and return."""
-    lines = [
+def way_out(status: str, function: ModelFunction) -> str:
+    """Leaves a function with its fallback."""
+    results = ", ".join(output.name for output in function.outputs)
+    return f"        return tb_refuse_{function.name}({status}, {results});"
+
+
+def fallback(function: ModelFunction) -> list[str]:
+    """Statements that give every output its fallback."""
+    return [
         f"        {output.name}[{entry}] = {literal(output.fallback)};"
         for output in function.outputs
         for entry in range(output.size)
     ]
-    return [*lines, f"        return {status};"]
