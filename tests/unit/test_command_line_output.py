@@ -120,3 +120,16 @@ def test_a_reader_that_stops_reading_is_no_error() -> None:
     command = f"'{TURNBUCKLE}' check '{STOCK}' | true"
     result = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
     assert "Traceback" not in result.stderr
+
+
+def test_check_loads_nothing_that_takes_long_to_start() -> None:
+    script = (
+        "import sys; from turnbuckle.command_line import main\n"
+        f"sys.argv = ['turnbuckle', 'check', {str(STOCK)!r}]\n"
+        "try: main()\n"
+        "finally: print(*sys.modules, file=sys.stderr)"
+    )
+    result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    loaded = set(result.stderr.split())
+    assert "turnbuckle.model.machine" in loaded
+    assert not {"casadi", "dask", "matplotlib", "numpy", "pint", "scipy", "sympy"} & loaded

@@ -135,9 +135,21 @@ REFUSALS = {
         planar(FIXED, platform=TURNING),
         ("platform", "a table", "no such table"),
     ),
-    "a rotation that is no angle": (
+    "a rotation of an unknown unit": (
         planar(RIGID, "planar-rigid", '[platform]\nrotation = "30 percent"\n'),
-        ("platform.rotation", '"30 percent", which is no angle', "an angle with its unit"),
+        ("platform.rotation", '"30 percent", whose unit is unknown', "an angle with its unit"),
+    ),
+    "a rotation in mils": (
+        planar(RIGID, "planar-rigid", '[platform]\nrotation = "800 mil"\n'),
+        ("platform.rotation", '"800 mil", whose unit is unclear', "write deg, mrad or mm"),
+    ),
+    "a solid angle": (
+        planar(RIGID, "planar-rigid", '[platform]\nrotation = "0.17 sr"\n'),
+        ("platform.rotation", '"0.17 sr", a solid angle', "an angle with its unit"),
+    ),
+    "a squared angle": (
+        planar(RIGID, "planar-rigid", '[platform]\nrotation = "500 deg^2"\n'),
+        ("platform.rotation", '"500 deg^2", a solid angle', "an angle with its unit"),
     ),
     "more than half a turn": (
         planar(RIGID, "planar-rigid", '[platform]\nrotation = "181 deg"\n'),
