@@ -3,13 +3,14 @@
 import math
 import re
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+from pydantic_core import CoreSchema, core_schema
 
 from turnbuckle.model.problem import refusal, shown
 from turnbuckle.model.units import (
@@ -27,7 +28,7 @@ from turnbuckle.model.units import (
 Sign = Literal["any", "not negative", "greater than zero"]
 
 NOT_FINITE_QUANTITY = re.compile(r"[+-]?(?:nan|inf|infinity)(?:\s.*)?", re.IGNORECASE)
-# Beyond these a value is a slip of the pen, and its square would leave single precision.
+# Sizes of quantities of which nothing else is known; squares stay within single precision.
 SMALLEST, LARGEST = 1e-12, 1e9
 # The exact fraction of a number beyond this power of ten would fill the memory.
 MOST_DIGITS = 400
@@ -70,18 +71,31 @@ def meaning(name: str) -> str:
     return _meanings().get(dimension) or f"a quantity in {in_bases(dimension) or 'no unit'}"
 
 
+def _float(number: Decimal, size: Fraction) -> float:
+    """The float nearest to so many units of a size; infinite or zero beyond all floats."""
+    if abs(number.adjusted()) > MOST_DIGITS:
+        return 0.0 if number.adjusted() < 0 else math.inf
+    try:
+        return float(Fraction(number) * size)
+    except OverflowError:
+        return math.inf
+
+
 @dataclass(frozen=True)
 class Quantity:
-    """What a key accepts: the kind of quantity, its SI unit, an example and the sign.
+    """What a key accepts: the kind of quantity, its SI unit, an example, the sign and the size.
 
-    per_angle: whether it is one per angle, of which "/rad" may be left out; clearly: what to say to
-    who gives another kind of quantity.
+    least, most: of the size, in SI units; beyond it a value is a slip of the pen, and products of
+    such values might leave single precision. per_angle: whether it is one per angle, of which
+    "/rad" may be left out. clearly: what to say to who gives another kind of quantity.
     """
 
     what: str
     si: str
     example: str
     sign: Sign = "greater than zero"
+    least: float = SMALLEST
+    most: float = LARGEST
     per_angle: bool = False
     clearly: str = ""
 
@@ -114,12 +128,11 @@ class Quantity:
             clearly = f" ({self.clearly})" if self.clearly else ""
             raise refusal(f"{self.allowed}{clearly}", f"{found}, {meaning(quantity.unit)}")
         self._check_sign(quantity)
-        if quantity.number and abs(quantity.number.adjusted()) > MOST_DIGITS:
-            raise self._of_no_size()
-        magnitude = Fraction(quantity.number) * its.size / target.size
-        if magnitude and not SMALLEST <= abs(magnitude) <= LARGEST:
-            raise self._of_no_size()
-        return float(magnitude)
+        magnitude = _float(quantity.number, its.size / target.size)
+        if quantity.number and not self.least <= abs(magnitude) <= self.most:
+            sizes = f"of a size from {self.least:g} to {self.most:g} {self.si}"
+            raise refusal(f"{self.allowed}, {sizes}")
+        return magnitude
 
     def _fits(self, its: Dimension, due: Dimension) -> bool:
         turned = tuple(n * (base != "rad") for base, n in zip(BASES, its, strict=True))
@@ -129,9 +142,6 @@ class Quantity:
         below = quantity.number < 0 and self.sign != "any"
         if below or (not quantity.number and self.sign == "greater than zero"):
             raise refusal(self.allowed)
-
-    def _of_no_size(self) -> PydanticCustomError:
-        return refusal(f"{self.allowed}, of a size from {SMALLEST:g} to {LARGEST:g} {self.si}")
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
@@ -211,40 +221,86 @@ def _plain_number(value: object) -> float:
     return number
 
 
-_LENGTH = "a length", "m", "5 mm"
-Coordinate = Annotated[float, Quantity(*_LENGTH, sign="any")]
-Length = Annotated[float, Quantity(*_LENGTH)]
-LengthOrZero = Annotated[float, Quantity(*_LENGTH, sign="not negative")]
-Force = Annotated[float, Quantity("a force", "N", "10 N")]
-ForceOrZero = Annotated[float, Quantity("a force", "N", "3 N", sign="not negative")]
-Mass = Annotated[float, Quantity("a mass", "kg", "0.1 kg")]
-Torque = Annotated[float, Quantity("a torque", "N*m", "55 mN*m")]
-TorqueOrZero = Annotated[float, Quantity("a torque", "N*m", "1 mN*m", sign="not negative")]
-TorqueRate = Annotated[float, Quantity("a torque per time", "N*m/s", "20 N*m/s")]
-Inertia = Annotated[float, Quantity("a moment of inertia", "kg*m^2", "21 g*cm^2")]
+def _length(sign: Sign = "greater than zero") -> Quantity:
+    """From a micrometre to ten kilometres."""
+    return Quantity("a length", "m", "5 mm", sign, least=1e-6, most=1e4)
+
+
+def _force(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("a force", "N", example, sign, least=1e-6, most=1e6)
+
+
+def _torque(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("a torque", "N*m", example, sign, least=1e-9, most=1e6)
+
+
+def _stiffness(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("a stiffness", "N/m", example, sign, least=1e-6, most=1e9)
+
+
+def _angle(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("an angle", "rad", example, sign, least=1e-6, most=1e3)
+
+
+Coordinate = Annotated[float, _length("any")]
+Length = Annotated[float, _length()]
+LengthOrZero = Annotated[float, _length("not negative")]
+Force = Annotated[float, _force("10 N")]
+ForceOrZero = Annotated[float, _force("3 N", "not negative")]
+Mass = Annotated[float, Quantity("a mass", "kg", "0.1 kg", least=1e-6, most=1e6)]
+Torque = Annotated[float, _torque("55 mN*m")]
+TorqueOrZero = Annotated[float, _torque("1 mN*m", "not negative")]
+TorqueRate = Annotated[
+    float, Quantity("a torque per time", "N*m/s", "20 N*m/s", least=1e-6, most=1e9)
+]
+Inertia = Annotated[
+    float, Quantity("a moment of inertia", "kg*m^2", "21 g*cm^2", least=1e-12, most=1e6)
+]
 RotaryDamping = Annotated[
     float,
-    Quantity("a rotary damping", "N*m*s", "0.05 g*m^2/s", sign="not negative", per_angle=True),
+    Quantity(
+        "a rotary damping",
+        "N*m*s",
+        "0.05 g*m^2/s",
+        "not negative",
+        least=1e-12,
+        most=1e6,
+        per_angle=True,
+    ),
 ]
 Frequency = Annotated[
-    float, Quantity("a frequency", "Hz", "1 kHz", clearly="cycles, not angle, per second")
+    float,
+    Quantity(
+        "a frequency",
+        "Hz",
+        "1 kHz",
+        least=1e-3,
+        most=1e5,
+        clearly="cycles, not angle, per second",
+    ),
 ]
-Stiffness = Annotated[float, Quantity("a stiffness", "N/m", "3560 N/m")]
-StiffnessOrZero = Annotated[float, Quantity("a stiffness", "N/m", "300 N/m", sign="not negative")]
+Stiffness = Annotated[float, _stiffness("3560 N/m")]
+StiffnessOrZero = Annotated[float, _stiffness("300 N/m", "not negative")]
 IntegralGain = Annotated[
-    float, Quantity("an integral gain", "N/(m*s)", "30000 N/(m*s)", sign="not negative")
+    float,
+    Quantity("an integral gain", "N/(m*s)", "30000 N/(m*s)", "not negative", least=1e-6, most=1e12),
 ]
-Damping = Annotated[float, Quantity("a damping", "N*s/m", "5 N*s/m", sign="not negative")]
-Angle = Annotated[float, Quantity("an angle", "rad", "45 deg")]
-AngleOrZero = Annotated[float, Quantity("an angle", "rad", "20 deg", sign="not negative")]
+Damping = Annotated[
+    float, Quantity("a damping", "N*s/m", "5 N*s/m", "not negative", least=1e-6, most=1e9)
+]
+Angle = Annotated[float, _angle("45 deg")]
+AngleOrZero = Annotated[float, _angle("20 deg", "not negative")]
 BitRate = Annotated[float, Quantity("a bit rate", "bit/s", "1 Mbit/s", clearly="bits per second")]
-Current = Annotated[float, Quantity("a current", "A", "2.27 A")]
+Current = Annotated[float, Quantity("a current", "A", "2.27 A", least=1e-3, most=1e3)]
 TorqueConstant = Annotated[
-    float, Quantity("a torque constant", "N*m/A", "114 mN*m/A", per_angle=True)
+    float,
+    Quantity("a torque constant", "N*m/A", "114 mN*m/A", least=1e-6, most=1e3, per_angle=True),
 ]
-Speed = Annotated[float, Quantity("a speed", "m/s", "50 mm/s")]
-Acceleration = Annotated[float, Quantity("an acceleration", "m/s^2", "0.5 m/s^2")]
-Duration = Annotated[float, Quantity("a time", "s", "20 ms")]
+Speed = Annotated[float, Quantity("a speed", "m/s", "50 mm/s", least=1e-6, most=1e3)]
+Acceleration = Annotated[
+    float, Quantity("an acceleration", "m/s^2", "0.5 m/s^2", least=1e-6, most=1e6)
+]
+Duration = Annotated[float, Quantity("a time", "s", "20 ms", least=1e-6, most=3600.0)]
 Point = Annotated[tuple[Coordinate, ...], _array("lengths", '["0 mm", "461.8 mm"]')]
 Size = Annotated[tuple[Length, ...], _array("lengths", '["506 mm", "284 mm"]')]
 UnitVector = Annotated[tuple[float, ...], BeforeValidator(_unit_vector)]
