@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from turnbuckle.model.base import FixedBase, PlaneBase, RailBase, leader
+from turnbuckle.model.base import Base, Coordinates, FixedBase, PlaneBase, RailBase, leader
+from turnbuckle.model.directions import dot, rank
 from turnbuckle.model.problem import FOUND_NOTHING, Location, Problem, key_path, problem_at, shown
 
 if TYPE_CHECKING:
@@ -126,18 +125,16 @@ def travel_has_length(machine: Machine, tables: Tables) -> Found:
 def _spans(plane: PlaneBase) -> bool:
     if plane.corner in (plane.along, plane.across):
         return False
-    return bool(np.linalg.matrix_rank(np.array(plane.directions), tol=PARALLEL) == 2)
+    return rank(plane.directions, PARALLEL) == 2
 
 
 def headings(machine: Machine, tables: Tables) -> Found:
     """A cable cannot head along the rail that its base slides on."""
     for i, key, base in _movable(machine):
         directions = [base.direction] if isinstance(base, RailBase) else list(base.directions)
-        if base.heading is not None:
-            rank = np.linalg.matrix_rank([base.heading, directions[0]], tol=PARALLEL)
-            if rank < 2:
-                allowed = f"a direction that is not along the {key}"
-                yield problem_at(tables, ("cable", i, key, "heading"), allowed)
+        if base.heading is not None and rank([base.heading, directions[0]], PARALLEL) < 2:
+            allowed = f"a direction that is not along the {key}"
+            yield problem_at(tables, ("cable", i, key, "heading"), allowed)
 
 
 def coupled_rails(machine: Machine, tables: Tables) -> Found:
@@ -250,11 +247,11 @@ def cables_span(machine: Machine, tables: Tables) -> Found:
 
 def bases_off_one_line(machine: Machine, tables: Tables) -> Found:
     """Fixed bases of a point platform on one line (plane) leave its side of it unknown."""
-    points = np.array([cable.fixed for cable in machine.cables if cable.fixed is not None])
+    points = [cable.fixed for cable in machine.cables if cable.fixed is not None]
     if machine.rails or machine.is_rigid:
         return
-    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    if spread[-1] <= PARALLEL * max(machine.frame.size):
+    apart = [_minus(point, points[0]) for point in points]
+    if rank(apart, PARALLEL * max(machine.frame.size)) < machine.space:
         where = "line" if machine.space == 2 else "plane"
         yield Problem(
             "cable",
@@ -264,34 +261,42 @@ def bases_off_one_line(machine: Machine, tables: Tables) -> Found:
 
 
 def _target_samples(machine: Machine) -> Iterator[tuple[float, ...]]:
-    fractions = np.linspace(-0.5, 0.5, SAMPLES_PER_SIDE).tolist()
+    fractions = [k / (SAMPLES_PER_SIDE - 1) - 0.5 for k in range(SAMPLES_PER_SIDE)]
     sides = zip(machine.target.centre, machine.target.size, strict=True)
     axes = [[centre + u * size for u in fractions] for centre, size in sides]
     return product(*axes)
 
 
-def _rank(machine: Machine, position: tuple[float, ...]) -> int:
+def _rank(machine: Machine, position: Coordinates) -> int:
     """Rank of the structure matrix (Yoon eq. 7), upright, movable bases at the foot of the pose."""
     columns = []
     for cable, anchor in zip(machine.cables, machine.anchors, strict=True):
-        point = np.add(position, anchor)
-        ray = _nearest(cable.base, point) - point
-        if ray.any():
-            ray = ray / math.hypot(*ray)
-            arm = np.asarray(anchor) / machine.lever
+        point = [x + p for x, p in zip(position, anchor, strict=True)]
+        ray = _minus(_nearest(cable.base, point), point)
+        length = math.hypot(*ray)
+        if length > 0:
+            ray = tuple(x / length for x in ray)
+            arm = [p / machine.lever for p in anchor]
             columns.append([*ray, *_moment(arm, ray)] if machine.is_rigid else ray)
-    return int(np.linalg.matrix_rank(columns, tol=PARALLEL)) if columns else 0
+    return rank(columns, PARALLEL)
 
 
-def _moment(arm: Any, ray: Any) -> Any:
-    return np.cross(arm, ray) if len(arm) == 3 else [arm[0] * ray[1] - arm[1] * ray[0]]
+def _moment(arm: Sequence[float], ray: Coordinates) -> Coordinates:
+    if len(arm) == 2:
+        return (arm[0] * ray[1] - arm[1] * ray[0],)
+    turns = ((1, 2), (2, 0), (0, 1))
+    return tuple(arm[i] * ray[j] - arm[j] * ray[i] for i, j in turns)
 
 
-def _nearest(base: FixedBase | RailBase | PlaneBase, point: Any) -> Any:
+def _nearest(base: Base, point: Sequence[float]) -> Coordinates:
     """The base's position [m] nearest to `point` on its rail; the middle of a plane."""
     if isinstance(base, FixedBase):
-        return np.asarray(base.position)
+        return base.position
     if isinstance(base, PlaneBase):
-        return (np.asarray(base.along) + np.asarray(base.across)) / 2
-    start, direction = np.asarray(base.start), np.asarray(base.direction)
-    return start + np.clip((point - start) @ direction, 0.0, base.length) * direction
+        return tuple((a + b) / 2 for a, b in zip(base.along, base.across, strict=True))
+    way = min(max(dot(_minus(point, base.start), base.direction), 0.0), base.length)
+    return tuple(x + way * e for x, e in zip(base.start, base.direction, strict=True))
+
+
+def _minus(first: Sequence[float], second: Sequence[float]) -> Coordinates:
+    return tuple(a - b for a, b in zip(first, second, strict=True))

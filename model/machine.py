@@ -3,6 +3,7 @@
 import json
 import math
 import tomllib
+from codecs import BOM_UTF8
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -463,7 +464,8 @@ def machine_from(tables: dict[str, Any], path: Path) -> Machine:
 
 
 def _read_toml(path: Path) -> dict[str, Any]:
-    content = _read_bytes(path)
+    # Editors on Windows put a byte order mark before the text.
+    content = _read_bytes(path).removeprefix(BOM_UTF8)
     try:
         return tomllib.loads(content.decode("utf-8"))
     except UnicodeDecodeError as error:

@@ -4,57 +4,100 @@ import math
 import re
 from dataclasses import dataclass
 from decimal import Decimal
+from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from turnbuckle.model.problem import refusal, shown
-
-if TYPE_CHECKING:
-    import pint
+from turnbuckle.model.units import (
+    BASES,
+    NUMBER,
+    WITHOUT_UNIT,
+    Dimension,
+    QuantityError,
+    Written,
+    in_bases,
+    unit,
+    written,
+)
 
 Sign = Literal["any", "not negative", "greater than zero"]
 
-NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,9})?"
-NOT_FINITE = r"[+-]?(?:nan|inf|infinity)"
-FACTOR = r"[A-Za-zµμ_]+(?:\^-?[1-4])?"
-BETWEEN = r"(?:\s*[*/]\s*|\s+)"
-GROUP = rf"(?:{FACTOR}|\(\s*{FACTOR}(?:{BETWEEN}{FACTOR})*\s*\))"
-# pint evaluates what it reads, so only a unit of this plain shape is ever handed to it.
-UNIT = rf"(?:1\s*/\s*)?{GROUP}(?:{BETWEEN}{GROUP})*"
-QUANTITY = re.compile(rf"(?P<number>{NUMBER})\s*(?P<unit>{UNIT})")
-WITHOUT_UNIT = re.compile(NUMBER)
-NOT_FINITE_QUANTITY = re.compile(rf"{NOT_FINITE}(?:\s.*)?", re.IGNORECASE)
-LONGEST = 80
-# Beyond these a value is a slip of the pen, and its square would leave single precision.
+NOT_FINITE_QUANTITY = re.compile(r"[+-]?(?:nan|inf|infinity)(?:\s.*)?", re.IGNORECASE)
+# Sizes of quantities of which nothing else is known; squares stay within single precision.
 SMALLEST, LARGEST = 1e-12, 1e9
+# The exact fraction of a number beyond this power of ten would fill the memory.
+MOST_DIGITS = 400
+ANGLE = BASES.index("rad")
+
+#: What a quantity in these units is, for those who mistook one for another.
+MEANINGS = {
+    "m": "a length",
+    "m^2": "an area",
+    "kg": "a mass",
+    "s": "a time",
+    "Hz": "a frequency",
+    "rad": "an angle",
+    "rad^2": "a solid angle",
+    "rad/s": "a speed of rotation",
+    "m/s": "a speed",
+    "m/s^2": "an acceleration",
+    "N": "a force",
+    "N*m": "a torque",
+    "N/m": "a stiffness",
+    "N*s/m": "a damping",
+    "N*m*s": "a rotary damping",
+    "kg*m^2": "a moment of inertia",
+    "W": "a power",
+    "A": "a current",
+    "V": "a voltage",
+    "bit": "an amount of data",
+    "bit/s": "a bit rate",
+}
 
 
 @cache
-def _registry() -> "pint.UnitRegistry[Any]":
-    """One registry; decimal, so that "711.8 mm" is the float 0.7118 and nothing beside it."""
-    import pint  # takes as long as all the rest, and who has a machine already needs no unit
-
-    return pint.UnitRegistry(non_int_type=Decimal)
+def _meanings() -> dict[Dimension, str]:
+    return {unit(name).dimension: what for name, what in MEANINGS.items()}
 
 
-@cache
-def _unit(text: str) -> Any:
-    """The pint unit; raises whatever pint raises where it knows no such unit."""
-    return _registry().parse_units(text)
+def meaning(name: str) -> str:
+    """What a quantity in this unit is; QuantityError where there is no such unit."""
+    dimension = unit(name).dimension
+    return _meanings().get(dimension) or f"a quantity in {in_bases(dimension) or 'no unit'}"
+
+
+def _float(number: Decimal, size: Fraction) -> float:
+    """The float nearest to so many units of a size; infinite or zero beyond all floats."""
+    if abs(number.adjusted()) > MOST_DIGITS:
+        return 0.0 if number.adjusted() < 0 else math.inf
+    try:
+        return float(Fraction(number) * size)
+    except OverflowError:
+        return math.inf
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """What a key accepts: the kind of quantity, its SI unit, an example and the sign."""
+    """What a key accepts: the kind of quantity, its SI unit, an example, the sign and the size.
+
+    least, most: of the size, in SI units; beyond it a value is a slip of the pen, and products of
+    such values might leave single precision. per_angle: whether it is one per angle, of which
+    "/rad" may be left out. clearly: what to say to who gives another kind of quantity.
+    """
 
     what: str
     si: str
     example: str
     sign: Sign = "greater than zero"
+    least: float = SMALLEST
+    most: float = LARGEST
+    per_angle: bool = False
+    clearly: str = ""
 
     @property
     def allowed(self) -> str:
@@ -64,57 +107,41 @@ class Quantity:
 
     def parse(self, value: object) -> float:
         """Text of the machine file -> SI float; raises the refusal to show to the user."""
-        number, unit = self._split(value)
-        if not math.isfinite(float(number)):
-            raise refusal(f"a finite number: {self.allowed}")
-        magnitude = self._in_si(Decimal(number), unit, shown(value))
-        self._check_size(magnitude)
-        return magnitude
-
-    def _split(self, value: object) -> tuple[str, str]:
         if isinstance(value, bool) or not isinstance(value, str | int | float):
             raise refusal(self.allowed)
-        if not isinstance(value, str) or WITHOUT_UNIT.fullmatch(value.strip()):
-            raise refusal(self.allowed, f"{shown(value)}, a number without a unit")
-        text = value.strip().replace("**", "^")
-        if NOT_FINITE_QUANTITY.fullmatch(text):
+        if not isinstance(value, str):
+            raise refusal(self.allowed, f"{shown(value)}, {WITHOUT_UNIT}")
+        if NOT_FINITE_QUANTITY.fullmatch(value.strip()):
             raise refusal(f"a finite number: {self.allowed}")
-        match = QUANTITY.fullmatch(text) if len(text) <= LONGEST else None
-        if match is None:
-            raise refusal(self.allowed)
-        return match["number"], match["unit"]
-
-    def _in_si(self, number: Decimal, unit: str, found: str) -> float:
-        import pint
-
         try:
-            return self._converted(number, _unit(unit), found)
-        except (pint.PintError, AssertionError, TypeError):
-            # The last two are pint's answers to units such as dBm, which are logarithms.
-            raise refusal(self.allowed, f"{found}, whose unit is unknown") from None
+            return self._in_si(written(value), shown(value))
+        except QuantityError as error:
+            found = f"{shown(value)}, {error.remark}" if error.remark else ""
+            hint = f"; {error.hint}" if error.hint else ""
+            raise refusal(f"{self.allowed}{hint}", found) from None
 
-    def _converted(self, number: Decimal, unit: Any, found: str) -> float:
-        target = _unit(self.si)
-        if unit.dimensionality != target.dimensionality:
-            dimension = str(unit.dimensionality or "no dimension")
-            raise refusal(f"{self.allowed} ({target.dimensionality})", f"{found} ({dimension})")
-        quantity = _registry().Quantity(number, unit)
-        # To pint angles and bits are plain numbers: 1 rad/s and 1 bit/s would pass for 1 Hz.
-        counted = dict(quantity.to_root_units().unit_items()).keys()
-        if self.si == "Hz" and counted & {"radian", "bit"}:
-            raise refusal(f"{self.allowed} (cycles, not angle, per second)")
-        if self.si == "rad" and "radian" not in counted:
-            raise refusal(f"{self.allowed} (an angle)", f"{found}, which is no angle")
-        if self.si == "bit/s" and "bit" not in counted:
-            raise refusal(f"{self.allowed} (bits per second)")
-        return float(quantity.to(target).magnitude)
+    def _in_si(self, quantity: Written, found: str) -> float:
+        if not math.isfinite(float(quantity.number)):
+            raise refusal(f"a finite number: {self.allowed}")
+        its, target = unit(quantity.unit), unit(self.si)
+        if not self._fits(its.dimension, target.dimension):
+            clearly = f" ({self.clearly})" if self.clearly else ""
+            raise refusal(f"{self.allowed}{clearly}", f"{found}, {meaning(quantity.unit)}")
+        self._check_sign(quantity)
+        magnitude = _float(quantity.number, its.size / target.size)
+        if quantity.number and not self.least <= abs(magnitude) <= self.most:
+            sizes = f"of a size from {self.least:g} to {self.most:g} {self.si}"
+            raise refusal(f"{self.allowed}, {sizes}")
+        return magnitude
 
-    def _check_size(self, magnitude: float) -> None:
-        below = magnitude < 0 and self.sign != "any"
-        if below or (magnitude == 0 and self.sign == "greater than zero"):
+    def _fits(self, its: Dimension, due: Dimension) -> bool:
+        turned = tuple(n * (base != "rad") for base, n in zip(BASES, its, strict=True))
+        return its == due or (self.per_angle and turned == due and its[ANGLE] == -1)
+
+    def _check_sign(self, quantity: Written) -> None:
+        below = quantity.number < 0 and self.sign != "any"
+        if below or (not quantity.number and self.sign == "greater than zero"):
             raise refusal(self.allowed)
-        if magnitude != 0 and not SMALLEST <= abs(magnitude) <= LARGEST:
-            raise refusal(f"{self.allowed}, of a size from {SMALLEST:g} to {LARGEST:g} {self.si}")
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
@@ -194,35 +221,86 @@ def _plain_number(value: object) -> float:
     return number
 
 
-_LENGTH = "a length", "m", "5 mm"
-Coordinate = Annotated[float, Quantity(*_LENGTH, sign="any")]
-Length = Annotated[float, Quantity(*_LENGTH)]
-LengthOrZero = Annotated[float, Quantity(*_LENGTH, sign="not negative")]
-Force = Annotated[float, Quantity("a force", "N", "10 N")]
-ForceOrZero = Annotated[float, Quantity("a force", "N", "3 N", sign="not negative")]
-Mass = Annotated[float, Quantity("a mass", "kg", "0.1 kg")]
-Torque = Annotated[float, Quantity("a torque", "N*m", "55 mN*m")]
-TorqueOrZero = Annotated[float, Quantity("a torque", "N*m", "1 mN*m", sign="not negative")]
-TorqueRate = Annotated[float, Quantity("a torque per time", "N*m/s", "20 N*m/s")]
-Inertia = Annotated[float, Quantity("a moment of inertia", "kg*m^2", "21 g*cm^2")]
+def _length(sign: Sign = "greater than zero") -> Quantity:
+    """From a micrometre to ten kilometres."""
+    return Quantity("a length", "m", "5 mm", sign, least=1e-6, most=1e4)
+
+
+def _force(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("a force", "N", example, sign, least=1e-6, most=1e6)
+
+
+def _torque(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("a torque", "N*m", example, sign, least=1e-9, most=1e6)
+
+
+def _stiffness(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("a stiffness", "N/m", example, sign, least=1e-6, most=1e9)
+
+
+def _angle(example: str, sign: Sign = "greater than zero") -> Quantity:
+    return Quantity("an angle", "rad", example, sign, least=1e-6, most=1e3)
+
+
+Coordinate = Annotated[float, _length("any")]
+Length = Annotated[float, _length()]
+LengthOrZero = Annotated[float, _length("not negative")]
+Force = Annotated[float, _force("10 N")]
+ForceOrZero = Annotated[float, _force("3 N", "not negative")]
+Mass = Annotated[float, Quantity("a mass", "kg", "0.1 kg", least=1e-6, most=1e6)]
+Torque = Annotated[float, _torque("55 mN*m")]
+TorqueOrZero = Annotated[float, _torque("1 mN*m", "not negative")]
+TorqueRate = Annotated[
+    float, Quantity("a torque per time", "N*m/s", "20 N*m/s", least=1e-6, most=1e9)
+]
+Inertia = Annotated[
+    float, Quantity("a moment of inertia", "kg*m^2", "21 g*cm^2", least=1e-12, most=1e6)
+]
 RotaryDamping = Annotated[
-    float, Quantity("a rotary damping", "N*m*s/rad", "0.05 g*m^2/s", sign="not negative")
+    float,
+    Quantity(
+        "a rotary damping",
+        "N*m*s",
+        "0.05 g*m^2/s",
+        "not negative",
+        least=1e-12,
+        most=1e6,
+        per_angle=True,
+    ),
 ]
-Frequency = Annotated[float, Quantity("a frequency", "Hz", "1 kHz")]
-Stiffness = Annotated[float, Quantity("a stiffness", "N/m", "3560 N/m")]
-StiffnessOrZero = Annotated[float, Quantity("a stiffness", "N/m", "300 N/m", sign="not negative")]
+Frequency = Annotated[
+    float,
+    Quantity(
+        "a frequency",
+        "Hz",
+        "1 kHz",
+        least=1e-3,
+        most=1e5,
+        clearly="cycles, not angle, per second",
+    ),
+]
+Stiffness = Annotated[float, _stiffness("3560 N/m")]
+StiffnessOrZero = Annotated[float, _stiffness("300 N/m", "not negative")]
 IntegralGain = Annotated[
-    float, Quantity("an integral gain", "N/(m*s)", "30000 N/(m*s)", sign="not negative")
+    float,
+    Quantity("an integral gain", "N/(m*s)", "30000 N/(m*s)", "not negative", least=1e-6, most=1e12),
 ]
-Damping = Annotated[float, Quantity("a damping", "N*s/m", "5 N*s/m", sign="not negative")]
-Angle = Annotated[float, Quantity("an angle", "rad", "45 deg")]
-AngleOrZero = Annotated[float, Quantity("an angle", "rad", "20 deg", sign="not negative")]
-BitRate = Annotated[float, Quantity("a bit rate", "bit/s", "1 Mbit/s")]
-Current = Annotated[float, Quantity("a current", "A", "2.27 A")]
-TorqueConstant = Annotated[float, Quantity("a torque constant", "N*m/A", "114 mN*m/A")]
-Speed = Annotated[float, Quantity("a speed", "m/s", "50 mm/s")]
-Acceleration = Annotated[float, Quantity("an acceleration", "m/s^2", "0.5 m/s^2")]
-Duration = Annotated[float, Quantity("a time", "s", "20 ms")]
+Damping = Annotated[
+    float, Quantity("a damping", "N*s/m", "5 N*s/m", "not negative", least=1e-6, most=1e9)
+]
+Angle = Annotated[float, _angle("45 deg")]
+AngleOrZero = Annotated[float, _angle("20 deg", "not negative")]
+BitRate = Annotated[float, Quantity("a bit rate", "bit/s", "1 Mbit/s", clearly="bits per second")]
+Current = Annotated[float, Quantity("a current", "A", "2.27 A", least=1e-3, most=1e3)]
+TorqueConstant = Annotated[
+    float,
+    Quantity("a torque constant", "N*m/A", "114 mN*m/A", least=1e-6, most=1e3, per_angle=True),
+]
+Speed = Annotated[float, Quantity("a speed", "m/s", "50 mm/s", least=1e-6, most=1e3)]
+Acceleration = Annotated[
+    float, Quantity("an acceleration", "m/s^2", "0.5 m/s^2", least=1e-6, most=1e6)
+]
+Duration = Annotated[float, Quantity("a time", "s", "20 ms", least=1e-6, most=3600.0)]
 Point = Annotated[tuple[Coordinate, ...], _array("lengths", '["0 mm", "461.8 mm"]')]
 Size = Annotated[tuple[Length, ...], _array("lengths", '["506 mm", "284 mm"]')]
 UnitVector = Annotated[tuple[float, ...], BeforeValidator(_unit_vector)]

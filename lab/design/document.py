@@ -10,7 +10,6 @@ import copy
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,7 @@ from tomlkit.items import AoT, Item, Table
 
 from turnbuckle.model.machine import Machine, load_machine, machine_from
 from turnbuckle.model.problem import key_path
-from turnbuckle.model.quantity import QUANTITY
+from turnbuckle.model.units import QuantityError, Written, unit, written
 
 Location = tuple[str | int, ...]
 Changes = Mapping[Location, str]
@@ -28,14 +27,6 @@ Changes = Mapping[Location, str]
 
 #: Tables that mean something with buses only.
 OF_BUSES = frozenset({"bus", "drive", "supervision", "calibration"})
-
-
-@dataclass(frozen=True)
-class Written:
-    """A quantity as written: its number, and its unit as the user spells it."""
-
-    number: Decimal
-    unit: str
 
 
 @dataclass(frozen=True)
@@ -50,7 +41,7 @@ class Document:
     def read(cls, path: Path) -> Document:
         """Read a machine file; MachineError where load_machine raises it."""
         load_machine(path)
-        text = path.read_bytes().decode("utf-8")
+        text = path.read_bytes().decode("utf-8-sig")
         return cls(path, text, tomllib.loads(text))
 
     def values(self) -> dict[str, tuple[Location, Any]]:
@@ -94,8 +85,11 @@ class Document:
 
 def as_written(value: object) -> Written | None:
     """A value of the file as a quantity; None where it is none."""
-    match = QUANTITY.fullmatch(value.strip().replace("**", "^")) if isinstance(value, str) else None
-    return Written(Decimal(match["number"]), match["unit"]) if match else None
+    try:
+        quantity = written(value) if isinstance(value, str) else None
+        return quantity if quantity and unit(quantity.unit) else None
+    except QuantityError:
+        return None
 
 
 def _walk(location: Location, value: Any) -> Iterator[tuple[Location, Any]]:

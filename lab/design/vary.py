@@ -12,9 +12,10 @@ from decimal import Context, Decimal, localcontext
 from pydantic_core import PydanticCustomError
 
 from turnbuckle.lab.design import DesignError
-from turnbuckle.lab.design.document import Changes, Document, Location, Written, as_written
+from turnbuckle.lab.design.document import Changes, Document, Location, as_written
 from turnbuckle.model.problem import Problem, nearest, shown
-from turnbuckle.model.quantity import Quantity
+from turnbuckle.model.quantity import Quantity, meaning
+from turnbuckle.model.units import Written
 
 FORM = re.compile(r"(?P<keys>[^=]+)=(?P<low>.+?)\.\.(?P<high>[^:]+)(?::(?P<count>.*))?")
 FORM_IN_WORDS = 'KEY=LOW..HIGH, such as "tension.max=8 N..15 N"'
@@ -141,9 +142,9 @@ def _follower(
 
 def _bound(text: str, key: str, present: Written, document: Document) -> Decimal:
     """One end of a range, in the unit of the file."""
-    example = in_words(present.number, present.unit)
+    what, example = meaning(present.unit), in_words(present.number, present.unit)
     try:
-        value = Quantity("a quantity", present.unit, example, sign="any").parse(text.strip())
+        value = Quantity(what, present.unit, example, sign="any").parse(text.strip())
     except PydanticCustomError as error:
         context = error.context or {}
         found = context["found"] or shown(text.strip())

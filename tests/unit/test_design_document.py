@@ -2,6 +2,7 @@
 
 import difflib
 import tomllib
+from decimal import Decimal
 from pathlib import Path
 
 import pytest
@@ -47,6 +48,17 @@ def test_comments_stay_where_they_are_in_any_layout(tmp_path: Path) -> None:
     path.write_bytes(text.replace("\n", "\r\n").encode())
     new = Document.read(path).text_with({("frame", "size", 0): "0.8 m"})
     assert new == path.read_bytes().decode().replace("'711.8 mm'", '"0.8 m"')
+
+
+def test_spellings_of_data_sheets_and_a_byte_order_mark_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "machine.toml"
+    text = STOCK.read_text().replace('"21 g*cm^2"', '"2,5 gcm²"')
+    path.write_text(text, encoding="utf-8-sig")
+    document = Document.read(path)
+    assert document.quantity(("cable_motor", "inertia")) == (Decimal("2.5"), "gcm²")
+    assert document.text_with({("cable_motor", "inertia"): "3.5 gcm²"}) == text.replace(
+        "2,5", "3.5"
+    )
 
 
 def test_comments_keep_their_column() -> None:

@@ -74,9 +74,9 @@ def node_without_buses(tables: Tables) -> None:
 
 # what is changed, the key that the message names, what it says was found, what is allowed
 REFUSALS: list[tuple[Edit, str, str, str]] = [
-    (bus(bit_rate="1 kHz"), "bus[1].bit_rate", '"1 kHz"', "bits per second"),
+    (bus(bit_rate="1 kHz"), "bus[1].bit_rate", '"1 kHz", a frequency', "bits per second"),
     (bus(bit_rate="400 kbit/s"), "bus[1].bit_rate", '"400 kbit/s"', "one of 10, 20, 50, 125"),
-    (bus(rate="1 Mbit/s"), "bus[1].rate", '"1 Mbit/s"', "not angle, per second"),
+    (bus(rate="1 Mbit/s"), "bus[1].rate", '"1 Mbit/s", a bit rate', "not angle, per second"),
     (bus(rate="600 Hz"), "bus[1].rate", '"600 Hz"', 'control.rate = "1 kHz", or this divided'),
     (bus(rate="2 kHz"), "bus[1].rate", '"2 kHz"', 'control.rate = "1 kHz", or this divided'),
     (bus(name="cable2"), "bus[2].name", '"cable2"', "a name that differs from bus[1].name"),

@@ -135,9 +135,21 @@ REFUSALS = {
         planar(FIXED, platform=TURNING),
         ("platform", "a table", "no such table"),
     ),
-    "a rotation that is no angle": (
+    "a rotation of an unknown unit": (
         planar(RIGID, "planar-rigid", '[platform]\nrotation = "30 percent"\n'),
-        ("platform.rotation", '"30 percent", which is no angle', "an angle with its unit"),
+        ("platform.rotation", '"30 percent", whose unit is unknown', "an angle with its unit"),
+    ),
+    "a rotation in mils": (
+        planar(RIGID, "planar-rigid", '[platform]\nrotation = "800 mil"\n'),
+        ("platform.rotation", '"800 mil", whose unit is unclear', "write deg, mrad or mm"),
+    ),
+    "a solid angle": (
+        planar(RIGID, "planar-rigid", '[platform]\nrotation = "0.17 sr"\n'),
+        ("platform.rotation", '"0.17 sr", a solid angle', "an angle with its unit"),
+    ),
+    "a squared angle": (
+        planar(RIGID, "planar-rigid", '[platform]\nrotation = "500 deg^2"\n'),
+        ("platform.rotation", '"500 deg^2", a solid angle', "an angle with its unit"),
     ),
     "more than half a turn": (
         planar(RIGID, "planar-rigid", '[platform]\nrotation = "181 deg"\n'),
@@ -225,12 +237,12 @@ REFUSALS = {
     "bodies whose cables exert no moment": (
         planar(
             [
-                f'base = ["{b} m", "0.5 m"]\nanchor = ["{a} cm", "0 m"]'
-                for b, a in ((0, -5), (1, 5), (0, -6), (1, 6))
+                f'base = ["0 m", "0.5 m"]\nanchor = ["{x} cm", "{y} cm"]'
+                for x, y in ((0, -5), (1, 5), (0, -6), (1, 6))
             ],
             "planar-rigid",
             TURNING,
-        ).replace('size = ["10 cm", "10 cm"]', 'size = ["10 cm", "1e-9 mm"]'),
+        ),
         ("cable", "4 cables, pulling in fewer than 3 directions", "3 independent directions"),
     ),
 }  # fmt: skip

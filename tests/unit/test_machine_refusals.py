@@ -34,6 +34,8 @@ NAME = "a name of 1 to 31 characters: a lower case letter"
 POSITIVE = "greater than zero"
 NO_UNIT = ", a number without a unit"
 UNKNOWN = ", whose unit is unknown"
+UNCLEAR = ", whose unit is unclear"
+DIVIDED = ", in which it is unclear what is divided by"
 
 
 def refusal(tmp_path: Path, text: str) -> str:
@@ -88,8 +90,16 @@ BAD_VALUES = [
     ("drum.radius", "true", "a length with its unit", ""),
     ("drum.radius", '""', "a length with its unit", ""),
     ("drum.radius", '"wide"', "a length with its unit", ""),
-    ("drum.radius", '"5,0 mm"', "a length with its unit", ""),
-    ("drum.radius", '"0x10 mm"', "a length with its unit", ""),
+    (
+        "drum.radius",
+        '"5,000 mm"',
+        '; write "5.000 mm" or "5000 mm"',
+        ", whose comma may mean two things",
+    ),
+    ("drum.radius", '"5,000,0 mm"', "; write digits and a decimal point only", ""),
+    ("drum.radius", '"5.000,1 mm"', "; write digits and a decimal point only", ""),
+    ("drum.radius", '"5 000 mm"', "; write digits and a decimal point only", ""),
+    ("drum.radius", '"0x10 mm"', "a length with its unit", UNKNOWN),
     ("drum.radius", '"5 mm; 6 mm"', "a length with its unit", ""),
     ("drum.radius", '"9**9**9**9 mm"', "a length with its unit", ""),
     ("drum.radius", '"1 mm^9**9**9"', "a length with its unit", ""),
@@ -97,23 +107,31 @@ BAD_VALUES = [
     ("drum.radius", '["5 mm"]', "a length with its unit", ""),
     ("drum.radius", "1979-05-27", "a length with its unit", ""),
     ("drum.radius", '"5 furlongg"', "a length with its unit", UNKNOWN),
-    ("drum.radius", '"5 kg"', "([length])", " ([mass])"),
-    ("drum.radius", '"5 percent"', "([length])", " (no dimension)"),
-    ("drum.radius", '"5 degC*m"', "([length])", " ([temperature] * [length])"),
+    ("drum.radius", '"5 kg"', "a length with its unit", ", a mass"),
+    ("drum.radius", '"5 percent"', "a length with its unit", UNKNOWN),
+    ("drum.radius", '"5 MM"', "; did you mean Mm or mm?", UNKNOWN),
+    ("drum.radius", '"5 mil"', "; a mil is 1/6400 of a turn", UNCLEAR),
+    ("drum.radius", '"5 degC*m"', "a length with its unit", UNKNOWN),
     ("drum.radius", '"5 dBm*m"', "a length with its unit", UNKNOWN),
     ("drum.radius", "0x" + "f" * 5000, "a length with its unit", NO_UNIT),
     ("cable_motor.torque_rate_limit", '"20 dBm"', "a torque per time", UNKNOWN),
     ("drum.radius", '"nan mm"', "a finite number: a length with its unit", ""),
     ("drum.radius", '"-inf mm"', "a finite number: a length with its unit", ""),
     ("drum.radius", '"1e400 mm"', "a finite number: a length with its unit", ""),
-    ("drum.radius", '"1e300 mm"', "of a size from 1e-12 to 1e+09 m", ""),
-    ("drum.radius", '"1e-300 mm"', "of a size from 1e-12 to 1e+09 m", ""),
+    ("drum.radius", '"1e300 mm"', "of a size from 1e-06 to 10000 m", ""),
+    ("drum.radius", '"1e-300 mm"', "of a size from 1e-06 to 10000 m", ""),
     ("drum.radius", '"1e-999999999 mm"', POSITIVE, ""),
-    ("control.rate", '"6283 rad/s"', "cycles, not angle, per second", ""),
-    ("control.rate", '"60000 rpm"', "cycles, not angle, per second", ""),
-    ("control.rate", '"1 s"', "(1 / [time])", " ([time])"),
-    ("cable_motor.inertia", '"21 g*cm"', "a moment of inertia", " ([mass] * [length])"),
-    ("rail_drive.integral", '"3 N/m"', "an integral gain", " ([mass] / [time] ** 2)"),
+    ("control.rate", '"6283 rad/s"', "cycles, not angle, per second", ", a speed of rotation"),
+    ("control.rate", '"60000 rpm"', "cycles, not angle, per second", ", a speed of rotation"),
+    ("control.rate", '"1 s"', "a frequency with its unit", ", a time"),
+    ("cable_motor.inertia", '"21 g*cm"', "a moment of inertia", ", a quantity in kg*m"),
+    ("cable_motor.inertia", '"21 gm2"', "; write g, or g*m", UNCLEAR),
+    ("cable_motor.torque_limit", '"55 mN-m"', "; write mN*m", ""),
+    ("cable_motor.torque_limit", '"8 oz-in"', "; write ozf*in", UNCLEAR),
+    ("cable_motor.torque_limit", '"8 kg*cm"', "a torque with its unit", ", a quantity in kg*m"),
+    ("rail_drive.integral", '"3 N/m"', "an integral gain", ", a stiffness"),
+    ("rail_drive.integral", '"3 N/m s"', "; put all that is divided by in parentheses", DIVIDED),
+    ("rail_drive.integral", '"3 N/m*s"', "; put all that is divided by in parentheses", DIVIDED),
     # signs
     ("drum.radius", '"-5 mm"', POSITIVE, ""),
     ("drum.radius", '"0 mm"', POSITIVE, ""),
@@ -262,7 +280,7 @@ BAD_FILES = {
     ),
     "a wrong entry of a pair": (
         changed((RAIL_2, RAIL_2.replace('"461.8 mm"', '"461.8 s"'))),
-        ("cable[2].rail.to[2]", '"461.8 s" ([time])', "a length with its unit"),
+        ("cable[2].rail.to[2]", '"461.8 s", a time', "a length with its unit"),
     ),
     "a frame without height": (
         changed(('"461.8 mm"]', '"0 mm"]')),
@@ -481,3 +499,23 @@ def test_what_is_just_allowed_is_accepted(tmp_path: Path, text: str) -> None:
     path = tmp_path / "good.toml"
     path.write_text(text, encoding="utf-8")
     assert load_machine(path).path == path
+
+
+AS_IN_DATA_SHEETS = changed(
+    ("55 mN*m", "55 mNm"),
+    ("21 g*cm^2", "21 gcm2"),
+    ("0.05 g*m^2/s", "0,05 g·m²·s⁻¹"),
+    ("28 mN*m/A", "28 mNm/A"),
+    ("711.8 mm", "711,8 mm"),
+)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [AS_IN_DATA_SHEETS.encode(), TEXT.encode("utf-8-sig"), TEXT.replace("\n", "\r\n").encode()],
+    ids=["spellings of data sheets", "a byte order mark", "lines of Windows"],
+)
+def test_other_spellings_describe_the_same_machine(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "machine.toml"
+    path.write_bytes(content)
+    assert load_machine(path).model_dump() == load_machine(STOCK).model_dump()
