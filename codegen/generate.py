@@ -28,10 +28,12 @@ from turnbuckle.model.symbolic.composition import Composite, Composition
 from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
 from turnbuckle.model.symbolic.sweep import Sweep
 from turnbuckle.model.symbolic.topics import TOPICS, model_composites, model_functions
+from turnbuckle.version import VERSION, version_number
 
-GENERATOR_VERSION = "0.1.4"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
+#: Of the generated C: whoever generates it may do anything with it (NOTICE).
+LICENCE = "0BSD"
 TEMPLATES = Path(__file__).parent / "templates"
 #: Tables of a machine file that say nothing about a machine without buses.
 BUS_TABLES: dict[str, Any] = {
@@ -101,7 +103,7 @@ def lowered(function: ModelFunction) -> Routine:
 def machine_hash(model: Model) -> str:
     """Identifies machine, model, generator and versions: what a running controller reports."""
     digest = hashlib.sha256()
-    digest.update(f"{GENERATOR_VERSION} {CASADI_VERSION}\n".encode())
+    digest.update(f"{VERSION} {CASADI_VERSION}\n".encode())
     digest.update(canonical(model.machine).encode())
     for routine in model.items():
         digest.update(fingerprint(routine).encode())
@@ -132,7 +134,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
     common = {"banner": banner(machine, identity)}
     files = {
         "tb_types.h": environment.get_template("tb_types.h.jinja").render(
-            common, statuses=list(Status)
+            common, statuses=list(Status), version=VERSION, version_number=version_number(VERSION)
         ),
         "tb_machine.h": environment.get_template("tb_machine.h.jinja").render(
             common, name=machine.name, hash=identity, groups=constants(machine)
@@ -192,12 +194,12 @@ def once(functions: list[CFunction]) -> list[CFunction]:
 
 
 def banner(machine: Machine, identity: str) -> str:
-    """First lines of every file: how to make it again, and from what it was made."""
+    """First lines of every file: how to make it again, from what it was made, whose it is."""
     return (
         f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
         f" --out generated/{machine.name}\n"
-        f" * Machine {identity}, generator {GENERATOR_VERSION}, casadi {CASADI_VERSION}."
-        " Do not edit. */"
+        f" * Machine {identity}, turnbuckle {VERSION}, casadi {CASADI_VERSION}. Do not edit.\n"
+        f" * SPDX-License-Identifier: {LICENCE} */"
     )
 
 
@@ -213,7 +215,7 @@ def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
     content = {
         "machine": model.machine.name,
         "hash": identity,
-        "generator": GENERATOR_VERSION,
+        "turnbuckle": VERSION,
         "casadi": CASADI_VERSION,
         "aliases": model.aliases(),
         "functions": functions,

@@ -36,6 +36,7 @@
 
 #include <stdint.h>
 
+#include "runtime_version.h"
 #include "tb_machine.h"
 #include "tb_types.h"
 #include "torque_gate.h"

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "runtime_version.h"
 #include "tb_drives.h"
 #include "tb_types.h"
 
