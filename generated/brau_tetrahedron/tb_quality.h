@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine b1d46e7e3d95b7f2, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine ae4e20152494c674, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

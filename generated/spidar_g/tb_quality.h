@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 04f8a1c042ccc9ad, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 9c7c04b42915ff51, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

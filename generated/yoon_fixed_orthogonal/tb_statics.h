@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 31f366e07fde5e74, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine e4edc95c9dfdb04d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
