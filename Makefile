@@ -19,7 +19,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test soak campaign mutants figures bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test soak campaign mutants figures bench format lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -111,7 +111,11 @@ figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/fi
 bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
 	$(VENV)/bin/python -m turnbuckle.lab.benchmark
 
-lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
+format: $(SETUP) ## give Python and C their layout: ruff, clang-format
+	$(VENV)/bin/ruff format .
+	.ci/format_c -i
+
+lint: $(SETUP) ## ruff, mypy --strict, clang-format; every C file through gcc and clang with warnings as errors
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync lint_python lint_c
 
 lint_python:
