@@ -8,7 +8,7 @@
 #define TB_RUNTIME_VERSION 200 /* Turnbuckle 0.2.0, as pyproject.toml says */
 
 #if TB_VERSION != TB_RUNTIME_VERSION
-#error "The generated C is not of Turnbuckle 0.2.0, as the runtime is: run turnbuckle generate again"
+#error "Generated C is not of Turnbuckle 0.2.0 like the runtime: run turnbuckle generate again"
 #endif
 
 #endif

@@ -135,7 +135,8 @@ static const char *const advice[] = {
     [TB_CAUSE_BUS_CORRUPT] = "check its adapter and bit rate, look for another program on it",
     [TB_CAUSE_CYCLES_MISSED] = "give it real-time priority, and the computer less to do",
     [TB_CAUSE_HOMING] = "check threshold current, direction, and what blocks the carriage",
-    [TB_CAUSE_CALIBRATION] = "hold the handle loosely, do not follow the bases; if none moves, move it around",
+    [TB_CAUSE_CALIBRATION] =
+        "hold the handle loosely, do not follow the bases; if none moves, move it around",
     [TB_CAUSE_ENCODER_JUMP] = "check the encoder and its cable",
     [TB_CAUSE_CABLE_SLACK] = "see that it is hooked in, on its pulley, and wound well",
     [TB_CAUSE_CABLE_BREAK] = "replace it",
@@ -146,7 +147,8 @@ static const char *const advice[] = {
     [TB_CAUSE_MEMORY] = "report it: computer or program are at fault",
     [TB_CAUSE_BASE_RUNAWAY] = "check its encoder and its belt",
     [TB_CAUSE_BASE_BLOCKED] = "look what blocks the carriage, then check its encoder and its belt",
-    [TB_CAUSE_WRONG_WAY] = "check the wiring of encoder and motor, and `direction` in the machine file",
+    [TB_CAUSE_WRONG_WAY] =
+        "check the wiring of encoder and motor, and `direction` in the machine file",
     [TB_CAUSE_ANSWERS_INCOMPLETE] = "check the bus load, its cable and the adapter",
     [TB_CAUSE_DRIVE_LOCAL] = "close the drive's own software, see that the bus controls it",
     [TB_CAUSE_OTHER_MASTER] = "end the other program, or take the other master off the bus",

@@ -79,7 +79,7 @@ def test_c_of_another_version_or_of_none_does_not_compile_and_says_what_to_do(
     line: str, header: str, compiler: str, stock_folder: Path, tmp_path: Path
 ) -> None:
     said = compiled(of_version(stock_folder, line, tmp_path), header, compiler)
-    assert f"The generated C is not of Turnbuckle {HOME}" in said
+    assert f"Generated C is not of Turnbuckle {HOME}" in said
     assert "run turnbuckle generate again" in said
 
 
