@@ -124,6 +124,7 @@ lint_python:
 	$(VENV)/bin/mypy
 
 lint_c:
+	.ci/format_c --dry-run -Werror
 	.ci/lint_c
 
 lock: $(SETUP) ## pin requirements.in again
