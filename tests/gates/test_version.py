@@ -20,7 +20,7 @@ ENTRIES = ("controller.h", "supervisor.h")
 
 
 def compiled(folder: Path, header: str, compiler: str) -> str:
-    """What a compiler says of a program with C of a folder and the runtime; empty when it is fine."""
+    """What a compiler says of C of a folder with the runtime; empty when it is fine."""
     command = [compiler, "-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c"]
     done = subprocess.run(
         [*command, f"-I{folder}", f"-I{CORE}", "-"],
