@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from turnbuckle.lab.pages.documents import copy_documents
+from turnbuckle.lab.pages.documents import copy_documents, documents, on_site
 from turnbuckle.lab.pages.machine import machine_page
 from turnbuckle.lab.pages.picture import draw_machine
 from turnbuckle.lab.pages.reference import write_reference
@@ -58,6 +58,12 @@ def menu_of(pages: dict[str, str]) -> Menu:
     return [{title: page} for title, page in pages.items()]
 
 
+def others(root: Path) -> Menu:
+    """Documents without a title of their own here; the menu takes their headings."""
+    pages = (str(on_site(path)) for path in documents(root) if path.suffix == ".md")
+    return sorted({*pages} - {"index.md", *GUIDE.values(), *DEVELOPMENT.values()})
+
+
 def write_pages(root: Path, out: Path) -> Menu:
     """Write every page of a repository to an empty folder; returns the site's menu."""
     copy_documents(root, out)
@@ -69,7 +75,7 @@ def write_pages(root: Path, out: Path) -> Menu:
         {"Machines": machines},
         {"Python": [page for page in reference if page.startswith("api/")]},
         {"C": [page for page in reference if page.startswith("c/")]},
-        {"Development": menu_of(DEVELOPMENT)},
+        {"Development": [*menu_of(DEVELOPMENT), *others(root)]},
     ]
 
 

@@ -32,7 +32,9 @@ def copy_documents(root: Path, out: Path) -> None:
         elif path.suffix:
             shutil.copyfile(root / path, target)
         else:
-            target.write_text(f"# {path.name.capitalize()}\n\n```text\n{(root / path).read_text()}```\n")
+            target.write_text(
+                f"# {path.name.capitalize()}\n\n```text\n{(root / path).read_text()}```\n"
+            )
 
 
 def documents(root: Path) -> list[PurePosixPath]:

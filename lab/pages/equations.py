@@ -181,8 +181,7 @@ def rays(machine: Machine, names: Names, spans: Sequence[Span]) -> Matrix:
 def structure(machine: Machine, names: Names, spans: Sequence[Span]) -> Equation:
     """The structure matrix of named directions and arms."""
     named = [
-        replace(each, ray=ray)
-        for each, ray in zip(spans, rays(machine, names, spans), strict=True)
+        replace(each, ray=ray) for each, ray in zip(spans, rays(machine, names, spans), strict=True)
     ]
     arms = names.rows("r") if machine.is_rigid else []
     matrix = sp.Matrix(Cables(machine, named, arms).structure)
@@ -201,7 +200,8 @@ def jacobians(machine: Machine, names: Names, spans: Sequence[Span]) -> list[Equ
         ]
     twist = [*names.position, *turning]
     by_twist = sp.Matrix(moved).jacobian(twist).subs(dict.fromkeys(turning, 0))
-    words = "Derivative of the lengths by the pose" + ", by the twist" * machine.is_rigid + "."
+    words = "Derivative of the lengths by the pose" + ", by its twist" * machine.is_rigid
+    words += ": the transpose of the structure matrix, negative."
     unit = "1, m" * machine.is_rigid or "1"
     named = readable(machine, names, spans, by_twist)
     result = [Equation("jacobian", r"\mathbf{J}", named, unit, words)]
@@ -213,18 +213,13 @@ def jacobians(machine: Machine, names: Names, spans: Sequence[Span]) -> list[Equ
     return result
 
 
-def readable(
-    machine: Machine, names: Names, spans: Sequence[Span], matrix: sp.Matrix
-) -> sp.Matrix:
+def readable(machine: Machine, names: Names, spans: Sequence[Span], matrix: sp.Matrix) -> sp.Matrix:
     """Derivatives, one row a cable, by lengths, and for a rigid platform by directions."""
     rows = [by_length(list(matrix.row(i)), names, spans) for i in range(matrix.rows)]
     if not machine.is_rigid:
         return sp.Matrix(rows)
     return sp.Matrix(
-        [
-            [by_direction(entry, names, each, i) for entry in rows[i]]
-            for i, each in enumerate(spans)
-        ]
+        [[by_direction(entry, names, each, i) for entry in rows[i]] for i, each in enumerate(spans)]
     )
 
 

@@ -26,18 +26,18 @@ POLICIES = {
     "scale": (
         "A wrench that no admissible tensions exert keeps its direction and becomes the largest "
         "fraction that they do exert; the nearest one where there is none.",
-        r"\mathbf{W}' = \lambda \mathbf{W}, \quad \lambda = \max \left\{ \mu \le 1 : "
+        r"\mathbf{W}^{\star} = \lambda \mathbf{W}, \quad \lambda = \max \left\{ \mu \le 1 : "
         r"\mu \mathbf{W} \in \mathcal{W} \right\}",
     ),
     "closest": (
         "A wrench that no admissible tensions exert becomes the nearest that they do exert.",
-        r"\mathbf{W}' = \arg \min_{\mathbf{V} \in \mathcal{W}} \left| \mathbf{V} - \mathbf{W} "
-        r"\right|",
+        r"\mathbf{W}^{\star} = \operatorname{argmin}_{\mathbf{V} \in \mathcal{W}} "
+        r"\left| \mathbf{V} - \mathbf{W} \right|",
     ),
     "paper": (
         "Yoon eqs 22 and 23: the tensions of least norm above the lower bound, then clipped to the "
         "upper one, which changes the wrench.",
-        r"T_i' = \min \left( T_i, T_{\max} \right)",
+        r"T_i^{\star} = \min \left( T_i, T_{\max} \right)",
     ),
 }
 
@@ -57,8 +57,9 @@ def machine_page(machine: Machine) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-BEGINNING = """The equations below are the model's own, of which the C is printed, with the numbers of the machine
-file in metres and newtons. {pose} $\\ell_i$ are the cables' lengths, $T_i$ their tensions."""
+BEGINNING = """The equations below are the model's own, of which the C is printed, with the numbers
+of the machine file in metres and newtons. {pose} $\\ell_i$ are the cables' lengths, $T_i$ their
+tensions."""
 
 
 def pose_words(machine: Machine) -> str:

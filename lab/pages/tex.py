@@ -23,10 +23,10 @@ def tex_of(equation: Equation) -> str:
     names = [sp.latex(symbol) for symbol in equation.symbols]
     width = equation.value.cols
     lines = [
-        rf"{group(names[i * width : (i + 1) * width])} &= {group(row)}"
+        rf"{group(names[i * width : (i + 1) * width])} & = & {group(row)}"
         for i, row in enumerate(rows)
     ]
-    return "\n".join([r"\begin{aligned}", " \\\\\n".join(lines), r"\end{aligned}"])
+    return "\n".join([r"\begin{array}{rcl}", " \\\\\n".join(lines), r"\end{array}"])
 
 
 def matrix(rows: Iterable[Sequence[str]]) -> str:
