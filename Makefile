@@ -19,7 +19,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test soak campaign fuzz mutants figures bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test soak campaign fuzz mutants figures bench docs format lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -115,7 +115,26 @@ figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/fi
 bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
 	$(VENV)/bin/python -m turnbuckle.lab.benchmark
 
-lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
+# The site's generator has an environment of its own: nothing else needs it.
+SITE_VENV := .venv-docs
+SITE_SETUP := $(SITE_VENV)/setup-$(shell sha256sum docs/requirements.lock | cut -c 1-16)
+
+$(SITE_SETUP):
+	$(PYTHON) -m venv $(SITE_VENV)
+	$(SITE_VENV)/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: --require-hashes --requirement docs/requirements.lock
+	rm -f $(SITE_VENV)/setup-*
+	touch $@
+
+docs: $(SETUP) $(SITE_SETUP) ## the documentation as a site, in build/site: documents, machines with equations, API
+	$(VENV)/bin/python -m turnbuckle.lab.pages
+	NO_MKDOCS_2_WARNING=1 $(SITE_VENV)/bin/mkdocs build --quiet --config-file build/mkdocs.yml
+	@echo "site: build/site/index.html"
+
+format: $(SETUP) ## give Python and C their layout: ruff, clang-format
+	$(VENV)/bin/ruff format .
+	.ci/format_c -i
+
+lint: $(SETUP) ## ruff, mypy --strict, clang-format; every C file through gcc and clang with warnings as errors
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync lint_python lint_c
 
 lint_python:
@@ -124,10 +143,12 @@ lint_python:
 	$(VENV)/bin/mypy
 
 lint_c:
+	.ci/format_c --dry-run -Werror
 	.ci/lint_c
 
-lock: $(SETUP) ## pin requirements.in again
+lock: $(SETUP) ## pin requirements.in again, and docs/requirements.in
 	$(VENV)/bin/pip-compile --quiet --upgrade $(LOCK_FORM) --output-file requirements.lock requirements.in
+	$(VENV)/bin/pip-compile --quiet --upgrade $(LOCK_FORM) --output-file docs/requirements.lock docs/requirements.in
 
 LOCK_FORM := --allow-unsafe --generate-hashes --strip-extras \
   --no-emit-index-url --no-emit-find-links --no-header --no-annotate
@@ -136,5 +157,5 @@ clean: ## remove what was built
 	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis
 
 distclean: clean ## remove the virtual environment too
-	rm -rf $(VENV) turnbuckle.egg-info
+	rm -rf $(VENV) $(SITE_VENV) turnbuckle.egg-info
 

@@ -16,14 +16,17 @@ from turnbuckle.codegen.chain import Chain
 from turnbuckle.codegen.constants import constants
 from turnbuckle.codegen.emit import CFunction, emit, emit_alias
 from turnbuckle.codegen.folder import write_folder
-from turnbuckle.codegen.identity import CASADI_VERSION, GENERATOR_VERSION, machine_hash
+from turnbuckle.codegen.identity import CASADI_VERSION, machine_hash
 from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Input, Output, Status
 from turnbuckle.model.symbolic.topics import TOPICS
+from turnbuckle.version import VERSION, version_number
 
 MANIFEST = "manifest.json"
+#: Of the generated C: whoever generates it may do anything with it (NOTICE).
+LICENCE = "0BSD"
 TEMPLATES = Path(__file__).parent / "templates"
 
 
@@ -39,7 +42,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
     common = {"banner": banner(machine, identity)}
     files = {
         "tb_types.h": environment.get_template("tb_types.h.jinja").render(
-            common, statuses=list(Status)
+            common, statuses=list(Status), version=VERSION, version_number=version_number(VERSION)
         ),
         "tb_machine.h": environment.get_template("tb_machine.h.jinja").render(
             common, name=machine.name, hash=identity, groups=constants(machine)
@@ -99,12 +102,12 @@ def once(functions: list[CFunction]) -> list[CFunction]:
 
 
 def banner(machine: Machine, identity: str) -> str:
-    """First lines of every file: how to make it again, and from what it was made."""
+    """First lines of every file: how to make it again, from what it was made, whose it is."""
     return (
         f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
         f" --out generated/{machine.name}\n"
-        f" * Machine {identity}, generator {GENERATOR_VERSION}, casadi {CASADI_VERSION}."
-        " Do not edit. */"
+        f" * Machine {identity}, turnbuckle {VERSION}, casadi {CASADI_VERSION}. Do not edit.\n"
+        f" * SPDX-License-Identifier: {LICENCE} */"
     )
 
 
@@ -120,7 +123,7 @@ def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
     content = {
         "machine": model.machine.name,
         "hash": identity,
-        "generator": GENERATOR_VERSION,
+        "turnbuckle": VERSION,
         "casadi": CASADI_VERSION,
         "aliases": model.aliases(),
         "functions": functions,

@@ -14,15 +14,15 @@ from turnbuckle.codegen.constants import Constant, constants
 from turnbuckle.codegen.item import fingerprint
 from turnbuckle.codegen.model import Model
 from turnbuckle.model.machine import Machine
+from turnbuckle.version import VERSION
 
-GENERATOR_VERSION = "0.1.4"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 
 
 def machine_hash(model: Model) -> str:
     """Identifies machine, model, generator and versions: what a running controller reports."""
     digest = hashlib.sha256()
-    digest.update(f"{GENERATOR_VERSION} {CASADI_VERSION}\n".encode())
+    digest.update(f"{VERSION} {CASADI_VERSION}\n".encode())
     for fact in facts(model):
         digest.update(f"{fact}\n".encode())
     for routine in model.items():

@@ -27,8 +27,8 @@ size_t shim_grid_size(void)
 static void find_pose(const shim_grid *grid, size_t row, size_t column, double pose[TB_DOF])
 {
     for (size_t k = 0; k < TB_DOF; k++) {
-        pose[k] = (grid->origin[k] + ((double)row * grid->row_step[k]))
-                  + ((double)column * grid->column_step[k]);
+        pose[k] = (grid->origin[k] + ((double)row * grid->row_step[k])) +
+                  ((double)column * grid->column_step[k]);
     }
 }
 

@@ -36,7 +36,7 @@ typedef struct {
     real_t zeros[TB_CABLES];
     real_t position[TB_DRIVES];
     real_t ordered[TB_DRIVES]; /* N m; m of a drive that follows a position */
-    real_t led[TB_RAIL_SLOTS];  /* m, where bases are led to; NaN: nowhere */
+    real_t led[TB_RAIL_SLOTS]; /* m, where bases are led to; NaN: nowhere */
     uint32_t power[TB_DRIVES];
 } shim_view;
 
@@ -134,9 +134,9 @@ static real_t led_to(const tb_supervisor *supervisor, size_t rail)
 {
     bool const by_controller =
         (supervisor->state == TB_STATE_RUN) || (supervisor->phase == TB_PHASE_CLOSE);
-    bool const by_guide = (supervisor->state == TB_STATE_TENSION) ||
-                          ((supervisor->state == TB_STATE_HOME) &&
-                           (supervisor->phase >= TB_PHASE_GATHER));
+    bool const by_guide =
+        (supervisor->state == TB_STATE_TENSION) ||
+        ((supervisor->state == TB_STATE_HOME) && (supervisor->phase >= TB_PHASE_GATHER));
     if (by_controller) {
         return supervisor->outputs.rail_target[rail];
     }

@@ -7,7 +7,6 @@ behind a command are imported by that command alone, so that the quick ones are 
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from importlib.metadata import version
 from typing import Annotated
 
 import typer
@@ -22,6 +21,7 @@ from turnbuckle.model.bus.command_line import bus
 from turnbuckle.model.command_line import check
 from turnbuckle.model.refusal import Refusal
 from turnbuckle.model.terminal import INTERRUPTED, fail
+from turnbuckle.version import VERSION
 
 app = typer.Typer(
     add_completion=False,
@@ -45,7 +45,7 @@ def main() -> None:
 def print_version(wanted: bool) -> None:
     """Print the version and stop, where it is wanted."""
     if wanted:
-        typer.echo(f"turnbuckle {version('turnbuckle')}")
+        typer.echo(f"turnbuckle {VERSION}")
         raise typer.Exit
 
 

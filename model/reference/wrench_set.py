@@ -1,7 +1,7 @@
 """The set of wrenches that bounded tensions can give: a zonotope, in the plane a polygon.
 
 Its edges are parallel to the cables. structure (rows, d, n), wrench (rows, d) [N, N m]. Distances
-between wrenches are those of [F; M / lever] [N], with the platform's lever; for points there are
+between wrenches are those of (F, M / lever) [N], with the platform's lever; for points there are
 forces only.
 """
 

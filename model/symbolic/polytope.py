@@ -129,7 +129,7 @@ class Line:
 class Plane:
     """A null space of dimension r = 2, known by the products of the rows n_i of a basis of it.
 
-    For an orthonormal basis shares[i][k] is n_i . n_k times `weight`, and slopes[i][k] is n_i x n_k
+    For an orthonormal basis `shares[i][k]` is n_i . n_k times `weight`, `slopes[i][k]` is n_i x n_k
     times the square root of `weight`.
     """
 

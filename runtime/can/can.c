@@ -30,8 +30,7 @@ bool tb_can_is_frame(const tb_can_frame *frame)
     bool const remote = (frame->flags & TB_CAN_REMOTE) != 0;
     bool const fd = (frame->flags & TB_CAN_FD) != 0;
     bool const fast = (frame->flags & TB_CAN_BIT_RATE_SWITCH) != 0;
-    uint8_t const known =
-        TB_CAN_EXTENDED | TB_CAN_REMOTE | TB_CAN_FD | TB_CAN_BIT_RATE_SWITCH;
+    uint8_t const known = TB_CAN_EXTENDED | TB_CAN_REMOTE | TB_CAN_FD | TB_CAN_BIT_RATE_SWITCH;
     if (((frame->flags & ~known) != 0) || (remote && fd) || (fast && !fd)) {
         return false;
     }

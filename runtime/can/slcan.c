@@ -162,8 +162,8 @@ static tb_can_result receive_frame(tb_can_port *port, tb_can_frame *frame)
 static tb_can_state bus_state(tb_can_port *port)
 {
     tb_slcan *const slcan = slcan_of(port);
-    bool const troubled = (slcan->state == TB_CAN_ERROR_WARNING) ||
-                          (slcan->state == TB_CAN_ERROR_PASSIVE);
+    bool const troubled =
+        (slcan->state == TB_CAN_ERROR_WARNING) || (slcan->state == TB_CAN_ERROR_PASSIVE);
     if (troubled) {
         ask_for_status(slcan);
     }

@@ -188,8 +188,8 @@ static tb_can_result read_frames(tb_socketcan *socketcan)
     prepare(&batch);
     socketcan->next = 0;
     socketcan->end = 0;
-    int const count = recvmmsg(socketcan->socket, batch.messages, TB_SOCKETCAN_READ_AT_ONCE,
-                               MSG_DONTWAIT, NULL);
+    int const count =
+        recvmmsg(socketcan->socket, batch.messages, TB_SOCKETCAN_READ_AT_ONCE, MSG_DONTWAIT, NULL);
     if (count < 0) {
         return is_only_busy(errno) ? TB_CAN_EMPTY : lose_interface(socketcan);
     }
@@ -262,8 +262,8 @@ static tb_can_result find_interface(const tb_socketcan *socketcan, const char *n
     if (!ask(socketcan, name, SIOCGIFFLAGS, &answer) || ((answer.ifr_flags & IFF_UP) == 0)) {
         return TB_CAN_DOWN;
     }
-    bool const carries_fd = ask(socketcan, name, SIOCGIFMTU, &answer) &&
-                            (answer.ifr_mtu >= (int)CANFD_MTU);
+    bool const carries_fd =
+        ask(socketcan, name, SIOCGIFMTU, &answer) && (answer.ifr_mtu >= (int)CANFD_MTU);
     if (socketcan->fd && !carries_fd) {
         return TB_CAN_REFUSED;
     }
@@ -291,8 +291,8 @@ static bool set_filters(const tb_socketcan *socketcan, const tb_socketcan_option
         filters[i].can_id = options->filters[i].id | kind;
         filters[i].can_mask = options->filters[i].mask | CAN_EFF_FLAG;
     }
-    return (options->count == 0) || set(socketcan, SOL_CAN_RAW, CAN_RAW_FILTER, filters,
-                                        options->count * sizeof filters[0]);
+    return (options->count == 0) ||
+           set(socketcan, SOL_CAN_RAW, CAN_RAW_FILTER, filters, options->count * sizeof filters[0]);
 }
 
 static bool set_options(const tb_socketcan *socketcan, const tb_socketcan_options *options)
@@ -316,8 +316,8 @@ static tb_can_result attach(const tb_socketcan *socketcan, int number)
     struct sockaddr_can address = {0};
     address.can_family = AF_CAN;
     address.can_ifindex = number;
-    if (bind(socketcan->socket, (const struct sockaddr *)(const void *)&address,
-             sizeof address) == 0) {
+    if (bind(socketcan->socket, (const struct sockaddr *)(const void *)&address, sizeof address) ==
+        0) {
         return TB_CAN_OK;
     }
     return (errno == ENETDOWN) ? TB_CAN_DOWN : TB_CAN_NO_DEVICE;

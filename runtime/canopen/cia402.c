@@ -10,9 +10,9 @@ typedef struct {
 } tb_status_pattern;
 
 static const tb_status_pattern patterns[] = {
-    {0x4F, 0x00, TB_POWER_NOT_READY},  {0x4F, 0x40, TB_POWER_OFF},
-    {0x6F, 0x21, TB_POWER_READY},      {0x6F, 0x23, TB_POWER_ON},
-    {0x6F, 0x27, TB_POWER_ENABLED},    {0x6F, 0x07, TB_POWER_QUICK_STOP},
+    {0x4F, 0x00, TB_POWER_NOT_READY},      {0x4F, 0x40, TB_POWER_OFF},
+    {0x6F, 0x21, TB_POWER_READY},          {0x6F, 0x23, TB_POWER_ON},
+    {0x6F, 0x27, TB_POWER_ENABLED},        {0x6F, 0x07, TB_POWER_QUICK_STOP},
     {0x4F, 0x0F, TB_POWER_FAULT_REACTION}, {0x4F, 0x08, TB_POWER_FAULT}};
 
 /* Commands of the controlword */
@@ -30,21 +30,28 @@ static const uint16_t towards_ready[POWERS] = {
     [TB_POWER_OFF] = SHUTDOWN,
     [TB_POWER_READY] = SWITCH_ON,
     [TB_POWER_ON] = SWITCH_ON,
-    [TB_POWER_ENABLED] = SWITCH_ON};
+    [TB_POWER_ENABLED] = SWITCH_ON,
+};
 
 static const uint16_t towards_enabled[POWERS] = {
     [TB_POWER_OFF] = SHUTDOWN,
     [TB_POWER_READY] = SWITCH_ON,
     [TB_POWER_ON] = ENABLE,
-    [TB_POWER_ENABLED] = ENABLE};
+    [TB_POWER_ENABLED] = ENABLE,
+};
 
 /* Bits 13 (error), 12 (attained) and 10 (target reached) of the statusword, as a number */
 static const tb_homing homings[8] = {
     TB_HOMING_RUNNING, TB_HOMING_IDLE,   TB_HOMING_RUNNING, TB_HOMING_DONE,
-    TB_HOMING_FAILED,  TB_HOMING_FAILED, TB_HOMING_FAILED,  TB_HOMING_FAILED};
+    TB_HOMING_FAILED,  TB_HOMING_FAILED, TB_HOMING_FAILED,  TB_HOMING_FAILED,
+};
 
 static const uint8_t modes[] = {
-    [TB_MODE_NONE] = 0, [TB_MODE_TORQUE] = 10, [TB_MODE_POSITION] = 8, [TB_MODE_HOMING] = 6};
+    [TB_MODE_NONE] = 0,
+    [TB_MODE_TORQUE] = 10,
+    [TB_MODE_POSITION] = 8,
+    [TB_MODE_HOMING] = 6,
+};
 
 tb_power tb_cia402_power(uint16_t statusword)
 {

@@ -167,9 +167,8 @@ static tb_homing homing(const tb_drive_link *link)
     if (link->homing_syncs == 0) {
         return TB_HOMING_IDLE;
     }
-    return (link->homing_syncs < HOMING_ANSWER_SYNCS)
-               ? TB_HOMING_RUNNING
-               : tb_cia402_homing(link->status.statusword);
+    return (link->homing_syncs < HOMING_ANSWER_SYNCS) ? TB_HOMING_RUNNING
+                                                      : tb_cia402_homing(link->status.statusword);
 }
 
 static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_report *report)

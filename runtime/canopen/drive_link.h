@@ -22,19 +22,19 @@ typedef struct {
     tb_setup setup;
     tb_heartbeat heartbeat;
     tb_emcy emergency;
-    tb_pdo_status status;   /* of its last status message */
-    uint32_t duplicates;    /* status messages beyond one a SYNC; the last one counts */
-    int32_t origin;         /* increments at which its position is zero: first seen, or home */
-    uint16_t controlword;   /* sent last */
-    uint8_t power;          /* tb_power of the last status message */
-    uint8_t has_origin;     /* 1: it told a position in service */
-    uint8_t answered;       /* 1: a status message came since the last SYNC, late or not */
-    uint8_t fresh;          /* 1: one came in time since the last report */
-    uint8_t missed;         /* SYNCs in a row without an answer */
-    uint8_t late;           /* answers in a row that came too late */
-    uint8_t booted;         /* 1: a boot-up message came since the last report */
-    uint8_t most_late;      /* the most of them since the last report */
-    uint8_t homing_syncs;   /* SYNCs since homing was started; stops at 255 */
+    tb_pdo_status status; /* of its last status message */
+    uint32_t duplicates;  /* status messages beyond one a SYNC; the last one counts */
+    int32_t origin;       /* increments at which its position is zero: first seen, or home */
+    uint16_t controlword; /* sent last */
+    uint8_t power;        /* tb_power of the last status message */
+    uint8_t has_origin;   /* 1: it told a position in service */
+    uint8_t answered;     /* 1: a status message came since the last SYNC, late or not */
+    uint8_t fresh;        /* 1: one came in time since the last report */
+    uint8_t missed;       /* SYNCs in a row without an answer */
+    uint8_t late;         /* answers in a row that came too late */
+    uint8_t booted;       /* 1: a boot-up message came since the last report */
+    uint8_t most_late;    /* the most of them since the last report */
+    uint8_t homing_syncs; /* SYNCs since homing was started; stops at 255 */
 } tb_drive_link;
 
 /** A drive that nothing is known of. */

@@ -21,8 +21,9 @@ typedef struct {
     uint16_t id;
     uint8_t length;
     uint8_t returned; /* 1: it came back */
-    uint8_t passed;   /* 1: a drive had been heard shortly before; else it stands for all its like that
-                         were sent meanwhile, and may come back as often */
+    /* 1: a drive had been heard shortly before; else it stands for all its like that were sent
+     * meanwhile, and may come back as often */
+    uint8_t passed;
     uint8_t data[8];
 } tb_echo_frame;
 

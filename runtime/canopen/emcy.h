@@ -10,8 +10,8 @@
 
 /** The emergency that stands: the first of the worst class since the last all-clear. */
 typedef struct {
-    uint16_t code;   /* 0 for none */
-    uint8_t class;   /* tb_error_class of code */
+    uint16_t code; /* 0 for none */
+    uint8_t class; /* tb_error_class of code */
 } tb_emcy;
 
 /** Read an emergency message; code 0x0000 clears what stands. False: malformed, and ignored. */

@@ -77,8 +77,8 @@ static bool is_from_a_master(uint32_t id)
 
 static bool is_from_a_drive(uint32_t id)
 {
-    static const uint32_t functions[] = {TB_COB_EMCY,  TB_COB_TPDO1,      TB_COB_TPDO2,
-                                         TB_COB_TPDO3, TB_COB_TPDO4,      TB_COB_SDO_ANSWER,
+    static const uint32_t functions[] = {TB_COB_EMCY,         TB_COB_TPDO1, TB_COB_TPDO2,
+                                         TB_COB_TPDO3,        TB_COB_TPDO4, TB_COB_SDO_ANSWER,
                                          TB_COB_ERROR_CONTROL};
     bool found = false;
     for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
@@ -228,8 +228,8 @@ void tb_network_collect(tb_network *network, tb_observation *seen)
         size_t const bus = tb_drives[i].bus;
         uint8_t const age = age_of_sync(network, bus);
         bool const is_over = (age + 1) == tb_buses[bus].divider;
-        tb_drive_link_report(&network->links[i], age,
-                             is_over && (network->buses[bus].synced != 0), &seen->drives[i]);
+        tb_drive_link_report(&network->links[i], age, is_over && (network->buses[bus].synced != 0),
+                             &seen->drives[i]);
     }
 }
 

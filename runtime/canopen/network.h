@@ -21,12 +21,12 @@
 /** One bus; the counters are of the time since the last report. */
 typedef struct {
     tb_can_port *port;
-    tb_echo echo;      /* what was sent */
-    uint8_t synced;    /* 1: the last SYNC that was due was sent */
-    uint8_t served;    /* drive whose acyclic frame was sent last */
-    uint8_t refused;   /* as in tb_bus_report */
-    uint8_t stranger;  /* as in tb_bus_report */
-    uint8_t malformed; /* as in tb_bus_report */
+    tb_echo echo;        /* what was sent */
+    uint8_t synced;      /* 1: the last SYNC that was due was sent */
+    uint8_t served;      /* drive whose acyclic frame was sent last */
+    uint8_t refused;     /* as in tb_bus_report */
+    uint8_t stranger;    /* as in tb_bus_report */
+    uint8_t malformed;   /* as in tb_bus_report */
     uint32_t unreadable; /* malformed in the port's statistics, until the last report */
 } tb_bus;
 

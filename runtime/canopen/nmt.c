@@ -8,8 +8,8 @@ static const tb_heartbeat unheard = {.state = TB_NMT_UNHEARD};
 
 static bool is_state(uint8_t state)
 {
-    return (state == TB_NMT_BOOTED) || (state == TB_NMT_STOPPED) ||
-           (state == TB_NMT_OPERATIONAL) || (state == TB_NMT_PRE_OPERATIONAL);
+    return (state == TB_NMT_BOOTED) || (state == TB_NMT_STOPPED) || (state == TB_NMT_OPERATIONAL) ||
+           (state == TB_NMT_PRE_OPERATIONAL);
 }
 
 tb_can_frame tb_nmt_frame(tb_nmt_command command, uint8_t node)

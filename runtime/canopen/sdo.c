@@ -26,7 +26,11 @@ enum { INITIATE_DOWNLOAD = 0, DOWNLOAD_SEGMENT, INITIATE_UPLOAD, UPLOAD_SEGMENT 
 
 /* Class of the answer to each of them */
 static const uint8_t answer_classes[] = {
-    [INITIATE_DOWNLOAD] = 3, [DOWNLOAD_SEGMENT] = 1, [INITIATE_UPLOAD] = 2, [UPLOAD_SEGMENT] = 0};
+    [INITIATE_DOWNLOAD] = 3,
+    [DOWNLOAD_SEGMENT] = 1,
+    [INITIATE_UPLOAD] = 2,
+    [UPLOAD_SEGMENT] = 0,
+};
 
 static const tb_sdo_client no_transfer;
 
@@ -345,8 +349,7 @@ static bool is_of_awaited_class(const tb_sdo_client *client, const uint8_t data[
 
 static bool is_awaited(const tb_sdo_client *client, const uint8_t data[])
 {
-    return is_of_awaited_class(client, data) &&
-           (!has_object(data) || names_object(client, data));
+    return is_of_awaited_class(client, data) && (!has_object(data) || names_object(client, data));
 }
 
 /* The same answer once more, from a second drive with the same number. */

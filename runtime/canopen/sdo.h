@@ -43,16 +43,16 @@ typedef struct {
     uint16_t index;
     uint8_t subindex;
     uint8_t node;
-    uint8_t result;      /* tb_sdo_result */
-    uint8_t step;        /* which request or answer is next: sdo.c */
-    uint8_t toggle;      /* of the next segment: 0x00 or 0x10 */
-    uint8_t sized;       /* 1: the server said how long the object is; else the bytes beyond what
+    uint8_t result;    /* tb_sdo_result */
+    uint8_t step;      /* which request or answer is next: sdo.c */
+    uint8_t toggle;    /* of the next segment: 0x00 or 0x10 */
+    uint8_t sized;     /* 1: the server said how long the object is; else the bytes beyond what
                             the object has are undefined */
-    uint8_t to_send;     /* 1: a request is ready; 0: an answer is awaited */
-    uint8_t aborting;    /* 1: an abort is to be sent */
-    uint8_t owed;        /* answers to requests that were given up, which may still come */
-    uint8_t extra;       /* answers that nobody asked for: two drives answer; stops at 255 */
-    uint8_t answer[4];   /* command and object of the last answer that was taken */
+    uint8_t to_send;   /* 1: a request is ready; 0: an answer is awaited */
+    uint8_t aborting;  /* 1: an abort is to be sent */
+    uint8_t owed;      /* answers to requests that were given up, which may still come */
+    uint8_t extra;     /* answers that nobody asked for: two drives answer; stops at 255 */
+    uint8_t answer[4]; /* command and object of the last answer that was taken */
 } tb_sdo_client;
 
 /** A client without a transfer. timeout [cycles]: until an unanswered request has failed. */

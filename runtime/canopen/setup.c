@@ -65,8 +65,7 @@ static uint16_t count_of(const tb_setup *setup)
 static void read_object(tb_setup *setup, const tb_object *object)
 {
     setup->reads = 1;
-    tb_sdo_upload(&setup->sdo, object->index, object->subindex, setup->value,
-                  sizeof setup->value);
+    tb_sdo_upload(&setup->sdo, object->index, object->subindex, setup->value, sizeof setup->value);
 }
 
 static void write_object(tb_setup *setup, const tb_object *object)

@@ -37,7 +37,7 @@
 
 /** How far the zeros are. */
 typedef enum {
-    TB_CALIBRATION_BUSY = 0,     /* call again in the next cycle */
+    TB_CALIBRATION_BUSY = 0, /* call again in the next cycle */
     TB_CALIBRATION_DONE,
     TB_CALIBRATION_UNOBSERVABLE, /* the poses do not tell the zeros */
     TB_CALIBRATION_OPEN          /* the lengths of a pose do not close: TB_CLOSURE_LIMIT */

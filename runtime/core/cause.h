@@ -14,12 +14,12 @@ typedef enum { TB_CAUSES(TB_CAUSE_NUMBER) TB_CAUSE_COUNT } tb_cause;
 
 /** A cause with what is known about it. */
 typedef struct {
-    uint32_t detail;  /* abort code, value found, emergency code, statusword, tb_status or a count */
+    uint32_t detail; /* abort code, value found, emergency code, statusword, tb_status or a count */
     uint16_t culprit; /* drive, cable or bus, from 0 */
     uint16_t index;   /* object of TB_CAUSE_DRIVE_DIFFERENT and _SETUP */
     uint8_t subindex;
-    uint8_t failure;  /* tb_failure of the same */
-    uint8_t cause;    /* tb_cause */
+    uint8_t failure; /* tb_failure of the same */
+    uint8_t cause;   /* tb_cause */
 } tb_blame;
 
 #endif

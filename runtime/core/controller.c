@@ -75,9 +75,8 @@ static void find_rates(const tb_controller *controller, const tb_inputs *inputs,
 static tb_status locate_platform(const tb_controller *controller, const tb_inputs *inputs,
                                  const tb_rates *rates, real_t structure[], tb_outputs *outputs)
 {
-    return tb_locate(controller->pose, inputs->lengths, inputs->rails, rates->cables,
-                     rates->rails, outputs->pose, &outputs->residual, structure,
-                     outputs->velocity);
+    return tb_locate(controller->pose, inputs->lengths, inputs->rails, rates->cables, rates->rails,
+                     outputs->pose, &outputs->residual, structure, outputs->velocity);
 }
 
 static tb_status find_start(const real_t lengths[], const real_t rails[], real_t pose[])
@@ -110,8 +109,7 @@ static tb_status find_start(const real_t lengths[], const real_t rails[], real_t
 
 static tb_status render_force(const tb_inputs *inputs, tb_outputs *outputs)
 {
-    tb_status const status =
-        tb_wall_force(outputs->pose, outputs->velocity, outputs->wanted_force);
+    tb_status const status = tb_wall_force(outputs->pose, outputs->velocity, outputs->wanted_force);
     for (size_t i = 0; i < TB_DOF; i++) {
         outputs->wanted_force[i] += inputs->force[i];
     }
@@ -242,8 +240,7 @@ static void resume_bases(tb_controller *controller, const real_t rails[])
     }
 }
 
-static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
-                            tb_outputs *outputs)
+static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs, tb_outputs *outputs)
 {
     if (controller->interrupted != 0) {
         resume_bases(controller, inputs->rails);
@@ -261,8 +258,7 @@ static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
 
 #else
 
-static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs,
-                            tb_outputs *outputs)
+static tb_status move_bases(tb_controller *controller, const tb_inputs *inputs, tb_outputs *outputs)
 {
     (void)controller;
     (void)inputs;
@@ -327,8 +323,7 @@ static void remember(tb_controller *controller, const tb_inputs *inputs, const t
 }
 
 /* Whatever can fail comes before the filters, whose memory only a good cycle may change. */
-static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs,
-                           tb_outputs *outputs)
+static tb_status run_cycle(tb_controller *controller, const tb_inputs *inputs, tb_outputs *outputs)
 {
     tb_rates rates;
     real_t structure[TB_DOF * TB_CABLES];

@@ -36,6 +36,7 @@
 
 #include <stdint.h>
 
+#include "runtime_version.h"
 #include "tb_machine.h"
 #include "tb_types.h"
 #include "torque_gate.h"
@@ -48,44 +49,44 @@
 
 /** What one cycle reads. */
 typedef struct {
-    real_t lengths[TB_CABLES];     /* m, measured cable lengths */
-    real_t rails[TB_RAIL_SLOTS];   /* m, measured rail coordinates */
-    real_t force[TB_DOF];          /* N, force on the platform that the application wants */
-    real_t hand_force[TB_DOF];     /* N, measured force of the hand on the handle; read only if
+    real_t lengths[TB_CABLES];   /* m, measured cable lengths */
+    real_t rails[TB_RAIL_SLOTS]; /* m, measured rail coordinates */
+    real_t force[TB_DOF];        /* N, force on the platform that the application wants */
+    real_t hand_force[TB_DOF];   /* N, measured force of the hand on the handle; read only if
                                       TB_HAND_FORCE_MEASURED, and refused beyond what all cables
                                       together can pull */
-    uint32_t options;              /* sum of TB_OPTION_... */
+    uint32_t options;            /* sum of TB_OPTION_... */
 } tb_inputs;
 
 /** What one cycle gives. Always finite. */
 typedef struct {
-    real_t pose[TB_DOF];             /* m; after a failed cycle the last good pose */
-    real_t velocity[TB_DOF];         /* m/s, filtered */
-    real_t residual;                 /* m, norm of measured minus computed lengths: how far the
+    real_t pose[TB_DOF];               /* m; after a failed cycle the last good pose */
+    real_t velocity[TB_DOF];           /* m/s, filtered */
+    real_t residual;                   /* m, norm of measured minus computed lengths: how far the
                                         redundant measurements disagree (slack, encoder fault) */
-    real_t wanted_force[TB_DOF];     /* N, walls + application */
-    real_t delivered_force[TB_DOF];  /* N, what the commanded tensions give */
-    real_t tension[TB_CABLES];       /* N, commanded */
-    real_t disturbance[TB_CABLES];   /* N m, estimated at each motor, 0 without an observer */
-    real_t motor_torque[TB_CABLES];  /* N m, gated: what to send to the cable motors, > 0 pulls */
+    real_t wanted_force[TB_DOF];       /* N, walls + application */
+    real_t delivered_force[TB_DOF];    /* N, what the commanded tensions give */
+    real_t tension[TB_CABLES];         /* N, commanded */
+    real_t disturbance[TB_CABLES];     /* N m, estimated at each motor, 0 without an observer */
+    real_t motor_torque[TB_CABLES];    /* N m, gated: what to send to the cable motors, > 0 pulls */
     real_t rail_target[TB_RAIL_SLOTS]; /* m, wanted rail coordinates */
     real_t rail_force[TB_RAIL_SLOTS];  /* N, force to apply to each carriage along its rail */
     real_t rail_torque[TB_RAIL_SLOTS]; /* N m, the same at the pinion: what to send */
-    uint32_t gate[TB_CABLES];        /* flags of the torque gate, see torque_gate.h */
-    int32_t status;                  /* tb_status that the step returned */
+    uint32_t gate[TB_CABLES];          /* flags of the torque gate, see torque_gate.h */
+    int32_t status;                    /* tb_status that the step returned */
 } tb_outputs;
 
 /** What the controller remembers from cycle to cycle. Read it for diagnosis; never write it. */
 typedef struct {
-    real_t pose[TB_DOF];                              /* m */
-    real_t lengths[TB_CABLES];                        /* m */
-    real_t length_rates[TB_CABLES];                   /* m/s, filtered */
-    real_t rails[TB_RAIL_SLOTS];                      /* m */
-    real_t rail_rates[TB_RAIL_SLOTS];                 /* m/s, filtered */
-    real_t observer[TB_CABLES * TB_OBSERVER_MEMORY];  /* rows: see tb_observe_disturbance */
-    real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY];      /* rows: see tb_base_pid */
-    real_t torque[TB_CABLES];                         /* N m, let through in the last cycle */
-    uint32_t interrupted;                             /* 1 until a good cycle follows */
+    real_t pose[TB_DOF];                             /* m */
+    real_t lengths[TB_CABLES];                       /* m */
+    real_t length_rates[TB_CABLES];                  /* m/s, filtered */
+    real_t rails[TB_RAIL_SLOTS];                     /* m */
+    real_t rail_rates[TB_RAIL_SLOTS];                /* m/s, filtered */
+    real_t observer[TB_CABLES * TB_OBSERVER_MEMORY]; /* rows: see tb_observe_disturbance */
+    real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY];     /* rows: see tb_base_pid */
+    real_t torque[TB_CABLES];                        /* N m, let through in the last cycle */
+    uint32_t interrupted;                            /* 1 until a good cycle follows */
 } tb_controller;
 
 /** Start at rest, with no torque on any motor; the first cycles raise it at the gate's rate.

@@ -17,8 +17,8 @@
 
 /** The trial of every drive. */
 typedef struct {
-    real_t speed[TB_DRIVES];  /* m/s, when the half began that is being tried */
-    real_t answer[TB_DRIVES]; /* m/s, speed that pushing made; > 0 the right way */
+    real_t speed[TB_DRIVES];     /* m/s, when the half began that is being tried */
+    real_t answer[TB_DRIVES];    /* m/s, speed that pushing made; > 0 the right way */
     uint8_t answered[TB_DRIVES]; /* 1 once that is enough to tell */
 } tb_trial;
 

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "runtime_version.h"
 #include "tb_drives.h"
 #include "tb_types.h"
 
@@ -18,10 +19,10 @@
 typedef enum {
     TB_POWER_UNKNOWN = 0, /* no status yet, or one that CiA 402 does not know */
     TB_POWER_NOT_READY,
-    TB_POWER_OFF,         /* switch on disabled */
-    TB_POWER_READY,       /* ready to switch on */
-    TB_POWER_ON,          /* switched on, motor not controlled */
-    TB_POWER_ENABLED,     /* operation enabled: torque */
+    TB_POWER_OFF,     /* switch on disabled */
+    TB_POWER_READY,   /* ready to switch on */
+    TB_POWER_ON,      /* switched on, motor not controlled */
+    TB_POWER_ENABLED, /* operation enabled: torque */
     TB_POWER_QUICK_STOP,
     TB_POWER_FAULT_REACTION,
     TB_POWER_FAULT
@@ -29,11 +30,11 @@ typedef enum {
 
 /** Where a drive's power stage shall be. */
 typedef enum {
-    TB_GOAL_OFF = 0,     /* no torque: disable voltage */
-    TB_GOAL_READY,       /* switched on, no torque */
-    TB_GOAL_ENABLED,     /* torque as ordered */
-    TB_GOAL_QUICK_STOP,  /* stop by the drive's own quick stop */
-    TB_GOAL_FAULT_RESET  /* leave the fault state, then off */
+    TB_GOAL_OFF = 0,    /* no torque: disable voltage */
+    TB_GOAL_READY,      /* switched on, no torque */
+    TB_GOAL_ENABLED,    /* torque as ordered */
+    TB_GOAL_QUICK_STOP, /* stop by the drive's own quick stop */
+    TB_GOAL_FAULT_RESET /* leave the fault state, then off */
 } tb_goal;
 
 /** What a drive follows. */
@@ -95,35 +96,35 @@ typedef enum {
 
 /** What a drive reported until this cycle. */
 typedef struct {
-    real_t position;      /* m, of its last status message */
-    real_t torque;        /* N m, > 0 pulls; of its last status message */
-    uint16_t statusword;  /* as received, for people */
-    uint16_t error_code;  /* emergency that stands, 0 for none */
-    uint8_t error_class;  /* tb_error_class of error_code */
-    uint8_t power;        /* tb_power */
-    uint8_t mode;         /* tb_mode that the drive confirmed last */
-    uint8_t homing;       /* tb_homing; read only in TB_MODE_HOMING */
-    uint8_t fresh;        /* 1 when a status message came since the last cycle */
-    uint8_t age;          /* cycles since the SYNC that this message answers */
-    uint8_t missed;       /* SYNCs in a row that it did not answer, not even late; stops at 255 */
-    uint8_t late;         /* status messages in a row that came too late for their cycle */
-    uint8_t silent;       /* tb_silence */
-    uint8_t task;         /* tb_task that `progress` is about */
-    uint8_t progress;     /* tb_progress */
-    uint8_t failure;      /* tb_failure */
-    uint8_t subindex;     /* of the object that failed */
-    uint16_t index;       /* of the object that failed */
-    uint32_t detail;      /* see tb_failure */
+    real_t position;     /* m, of its last status message */
+    real_t torque;       /* N m, > 0 pulls; of its last status message */
+    uint16_t statusword; /* as received, for people */
+    uint16_t error_code; /* emergency that stands, 0 for none */
+    uint8_t error_class; /* tb_error_class of error_code */
+    uint8_t power;       /* tb_power */
+    uint8_t mode;        /* tb_mode that the drive confirmed last */
+    uint8_t homing;      /* tb_homing; read only in TB_MODE_HOMING */
+    uint8_t fresh;       /* 1 when a status message came since the last cycle */
+    uint8_t age;         /* cycles since the SYNC that this message answers */
+    uint8_t missed;      /* SYNCs in a row that it did not answer, not even late; stops at 255 */
+    uint8_t late;        /* status messages in a row that came too late for their cycle */
+    uint8_t silent;      /* tb_silence */
+    uint8_t task;        /* tb_task that `progress` is about */
+    uint8_t progress;    /* tb_progress */
+    uint8_t failure;     /* tb_failure */
+    uint8_t subindex;    /* of the object that failed */
+    uint16_t index;      /* of the object that failed */
+    uint32_t detail;     /* see tb_failure */
 } tb_drive_report;
 
 /** What a drive is to do in this cycle. */
 typedef struct {
-    real_t torque;      /* N m, gated */
-    real_t position;    /* m, gated; read only in TB_MODE_POSITION */
-    uint8_t goal;       /* tb_goal */
-    uint8_t mode;       /* tb_mode, for TB_TASK_MODE */
-    uint8_t task;       /* tb_task */
-    uint8_t home;       /* 1: run the homing; 0 stops it */
+    real_t torque;   /* N m, gated */
+    real_t position; /* m, gated; read only in TB_MODE_POSITION */
+    uint8_t goal;    /* tb_goal */
+    uint8_t mode;    /* tb_mode, for TB_TASK_MODE */
+    uint8_t task;    /* tb_task */
+    uint8_t home;    /* 1: run the homing; 0 stops it */
 } tb_drive_order;
 
 /** How severe an emergency of a drive is. */

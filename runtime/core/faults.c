@@ -56,8 +56,7 @@ static bool has_left(const tb_drive_memory *drive, const tb_drive_report *report
 static bool obeys(const tb_drive_memory *drive, const tb_drive_report *report, real_t limit)
 {
     bool const works = (drive->reached != 0) && (drive->wanted.goal == TB_GOAL_ENABLED);
-    bool const lingers =
-        (drive->wanted.goal == TB_GOAL_OFF) && (report->power == TB_POWER_ENABLED);
+    bool const lingers = (drive->wanted.goal == TB_GOAL_OFF) && (report->power == TB_POWER_ENABLED);
     bool const follows = (works || lingers) && (report->mode == TB_MODE_TORQUE);
     return !follows || (TB_ABS(report->torque - drive->sent) <= DEAF_SHARE * limit);
 }
@@ -96,7 +95,8 @@ static tb_cause look_at_carriage(tb_supervisor *supervisor, const tb_drive_repor
     tb_carriage_motion const motion = {
         .position = tb_measured_position(&supervisor->measurement, drive),
         .speed = tb_measured_speed(&supervisor->measurement, drive),
-        .torque = torque};
+        .torque = torque,
+    };
     return tb_carriage_look(&supervisor->carriages[rail], &motion);
 }
 
@@ -214,8 +214,8 @@ static tb_blame examine_buses(tb_supervisor *supervisor, const tb_observation *s
     tb_blame worst = tb_no_blame();
     for (size_t i = 0; i < TB_BUSES; i++) {
         tb_blame const blame = examine_bus(supervisor, &seen->buses[i], i);
-        bool const counts = (supervisor->state != TB_STATE_INIT) ||
-                            (blame.cause != TB_CAUSE_BUS_FULL);
+        bool const counts =
+            (supervisor->state != TB_STATE_INIT) || (blame.cause != TB_CAUSE_BUS_FULL);
         worst = (counts && (worst.cause == TB_CAUSE_NONE)) ? blame : worst;
     }
     return worst;

@@ -13,10 +13,10 @@
 
 /** What moves the bases. */
 typedef struct {
-    real_t reference[TB_RAIL_SLOTS];               /* m */
-    real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY];   /* rows: see tb_base_pid */
-    uint16_t lagging[TB_RAIL_SLOTS];               /* cycles in a row too far from the reference */
-    uint8_t guided[TB_RAIL_SLOTS];                 /* 1 once a base is guided */
+    real_t reference[TB_RAIL_SLOTS];             /* m */
+    real_t base[TB_RAIL_SLOTS * TB_BASE_MEMORY]; /* rows: see tb_base_pid */
+    uint16_t lagging[TB_RAIL_SLOTS];             /* cycles in a row too far from the reference */
+    uint8_t guided[TB_RAIL_SLOTS];               /* 1 once a base is guided */
 } tb_guide;
 
 /** Guide no base. */
@@ -28,8 +28,7 @@ void tb_guide_take(tb_guide *guide, size_t rail, real_t position);
 /** One cycle of all bases, once each is guided. rails, targets [m] (TB_RAIL_SLOTS); speed [m/s]:
  *  largest of the references. torque [N m] (TB_RAIL_SLOTS). */
 void tb_guide_step(tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],
-                   const real_t targets[TB_RAIL_SLOTS], real_t speed,
-                   real_t torque[TB_RAIL_SLOTS]);
+                   const real_t targets[TB_RAIL_SLOTS], real_t speed, real_t torque[TB_RAIL_SLOTS]);
 
 /** Whether every base is within `distance` [m] of its target, and its reference has arrived. */
 bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOTS],

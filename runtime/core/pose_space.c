@@ -69,8 +69,7 @@ static void solve_triangle(const real_t triangle[], real_t motion[])
     }
 }
 
-void tb_pose_space_take(const tb_pose_space *space, real_t change[TB_CABLES],
-                        real_t motion[TB_DOF])
+void tb_pose_space_take(const tb_pose_space *space, real_t change[TB_CABLES], real_t motion[TB_DOF])
 {
     for (size_t j = 0; j < TB_DOF; j++) {
         const real_t *const q = &space->basis[j * TB_CABLES];

@@ -13,9 +13,9 @@
 
 /** The pose space at one pose. */
 typedef struct {
-    real_t basis[TB_DOF * TB_CABLES];    /* row j: vector q_j, zero where the lengths do not tell
+    real_t basis[TB_DOF * TB_CABLES]; /* row j: vector q_j, zero where the lengths do not tell
                                             motion j from the motions before it */
-    real_t triangle[TB_DOF * TB_DOF];    /* R, upper, row by row */
+    real_t triangle[TB_DOF * TB_DOF]; /* R, upper, row by row */
 } tb_pose_space;
 
 /** Find the pose space at a pose (TB_DOF) for rail coordinates [m] (TB_RAIL_SLOTS).
@@ -29,7 +29,6 @@ void tb_pose_space_take(const tb_pose_space *space, real_t change[TB_CABLES],
                         real_t motion[TB_DOF]);
 
 /** What is left of a unit change of cable i's length: row and column i of I - Q Q' (TB_CABLES). */
-void tb_pose_space_unexplained(const tb_pose_space *space, uint32_t cable,
-                               real_t left[TB_CABLES]);
+void tb_pose_space_unexplained(const tb_pose_space *space, uint32_t cable, real_t left[TB_CABLES]);
 
 #endif

@@ -99,7 +99,8 @@ static uint32_t checksum(uint32_t sum, tb_recorder_piece piece)
     static const uint32_t steps[16] = {
         0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,
         0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
-        0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu};
+        0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
+    };
     const unsigned char *const bytes = piece.bytes;
     sum = ~sum;
     for (size_t i = 0; i < piece.size; i++) {
@@ -114,8 +115,7 @@ static tb_recorder_piece segment_piece(const tb_recorder_reader *reader, uint32_
 {
     const tb_recorder *const recorder = reader->recorder;
     uint32_t const oldest = recorder->opened - reader->header.segments;
-    const tb_segment *const segment =
-        &recorder->segments[(oldest + index) % TB_RECORDER_SEGMENTS];
+    const tb_segment *const segment = &recorder->segments[(oldest + index) % TB_RECORDER_SEGMENTS];
     return (tb_recorder_piece){segment, HEAD_SIZE + (segment->count * sizeof(tb_recorded_cycle))};
 }
 

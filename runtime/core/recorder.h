@@ -68,14 +68,14 @@ typedef struct {
     char magic[8];
     uint32_t version;
     uint32_t byte_order;
-    uint32_t real_size;        /* bytes of the C types, here and below */
-    uint32_t head_size;        /* of tb_segment before its cycles */
+    uint32_t real_size; /* bytes of the C types, here and below */
+    uint32_t head_size; /* of tb_segment before its cycles */
     uint32_t supervisor_size;
     uint32_t observation_size;
     uint32_t orders_size;
-    uint32_t cycle_size;       /* of tb_recorded_cycle */
-    uint32_t segments;         /* in this recording */
-    uint32_t segment_cycles;   /* most in a segment */
+    uint32_t cycle_size;     /* of tb_recorded_cycle */
+    uint32_t segments;       /* in this recording */
+    uint32_t segment_cycles; /* most in a segment */
     char machine[TB_RECORDING_NAME];
     char hash[TB_RECORDING_NAME];
 } tb_recording_header;

@@ -11,7 +11,7 @@ static const tb_outputs no_outputs;
 void tb_enter(tb_supervisor *supervisor, tb_state state, tb_phase phase)
 {
     supervisor->state = (uint8_t)state;
-    supervisor->complement = (uint8_t)~(uint8_t)state;
+    supervisor->complement = (uint8_t) ~(uint8_t)state;
     supervisor->phase = (uint8_t)phase;
     supervisor->cycles = 0;
     supervisor->calm = 0;
@@ -44,7 +44,8 @@ static void latch(tb_blame *first, tb_blame blame)
 
 static bool is_without_torque(tb_state state)
 {
-    return (state == TB_STATE_INIT) || (state == TB_STATE_IDENTIFY) || (state == TB_STATE_CONFIGURE);
+    return (state == TB_STATE_INIT) || (state == TB_STATE_IDENTIFY) ||
+           (state == TB_STATE_CONFIGURE);
 }
 
 static bool is_at_work(tb_state state)

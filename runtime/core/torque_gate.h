@@ -22,11 +22,11 @@
 
 /* What the gate changed: the sum of these flags, TB_GATE_PASSED when it changed nothing. */
 #define TB_GATE_PASSED ((uint32_t)0)
-#define TB_GATE_NOT_FINITE ((uint32_t)1)   /* command not finite: the safe one instead */
-#define TB_GATE_BELOW_LIMIT ((uint32_t)2)  /* command below the lower limit; a cable's is 0 */
-#define TB_GATE_ABOVE_LIMIT ((uint32_t)4)  /* command above the upper limit */
-#define TB_GATE_RATE ((uint32_t)8)         /* change cut to one step */
-#define TB_GATE_BAD_PREVIOUS ((uint32_t)16) /* previous outside the limits: memory was damaged */
+#define TB_GATE_NOT_FINITE ((uint32_t)1)     /* command not finite: the safe one instead */
+#define TB_GATE_BELOW_LIMIT ((uint32_t)2)    /* command below the lower limit; a cable's is 0 */
+#define TB_GATE_ABOVE_LIMIT ((uint32_t)4)    /* command above the upper limit */
+#define TB_GATE_RATE ((uint32_t)8)           /* change cut to one step */
+#define TB_GATE_BAD_PREVIOUS ((uint32_t)16)  /* previous outside the limits: memory was damaged */
 #define TB_GATE_NOT_PERMITTED ((uint32_t)32) /* the motor may not follow: to rest instead */
 
 /** What a motor may be asked for, all in the unit of its setpoint, N m or m. */

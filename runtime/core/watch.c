@@ -12,7 +12,8 @@
 /* A cable with less redundancy than this hardly shows in the closure: no delta is made of it. */
 #define LEAST_REDUNDANCY TB_C(0.01)
 
-#define FARTHEST TB_C(1e6) /* m; an error beyond it is no length, and its square is finite in float */
+#define FARTHEST                                                                                   \
+    TB_C(1e6) /* m; an error beyond it is no length, and its square is finite in float */
 
 static const tb_watch nothing;
 static const tb_verdict fine = {TB_CAUSE_NONE, 0};
@@ -119,8 +120,7 @@ static tb_verdict explain_closure(const tb_watched *seen, real_t slack[])
     tb_pose_space space;
     real_t error[TB_CABLES];
     tb_suspicion suspicion = {false, false, false, 0, 0};
-    if (find_error(seen, error) &&
-        (tb_pose_space_find(&space, seen->pose, seen->rails) == TB_OK)) {
+    if (find_error(seen, error) && (tb_pose_space_find(&space, seen->pose, seen->rails) == TB_OK)) {
         real_t motion[TB_DOF];
         tb_pose_space_take(&space, error, motion);
         suspicion = compare_cables(&space, seen, error, slack);

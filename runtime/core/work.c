@@ -17,8 +17,8 @@ static tb_blame earlier(tb_blame one, tb_blame other)
 static void measure_lengths(const tb_supervisor *supervisor, real_t lengths[])
 {
     for (size_t i = 0; i < TB_CABLES; i++) {
-        lengths[i] = supervisor->calibration.zeros[i] -
-                     tb_measured_position(&supervisor->measurement, i);
+        lengths[i] =
+            supervisor->calibration.zeros[i] - tb_measured_position(&supervisor->measurement, i);
     }
 }
 
@@ -73,7 +73,8 @@ static tb_blame watch_cables(tb_supervisor *supervisor, const tb_inputs *inputs)
         .rails = inputs->rails,
         .rail_targets = guided ? supervisor->guide.reference : supervisor->outputs.rail_target,
         .pose = supervisor->outputs.pose,
-        .residual = supervisor->outputs.residual};
+        .residual = supervisor->outputs.residual,
+    };
     tb_verdict const verdict = tb_watch_cables(&supervisor->watch, &watched, supervisor->slack);
     return tb_blame_for(verdict.cause, verdict.culprit, 0);
 }
@@ -115,7 +116,8 @@ static tb_blame approach(tb_supervisor *supervisor)
     const real_t *const targets = supervisor->outputs.rail_target;
     tb_measured_rails(&supervisor->measurement, rails);
     tb_blame const blame = tb_guide_bases(supervisor, targets, APPROACH_SPEED);
-    if ((supervisor->failed == 0) && tb_guide_has_arrived(&supervisor->guide, rails, targets, NEAR)) {
+    if ((supervisor->failed == 0) &&
+        tb_guide_has_arrived(&supervisor->guide, rails, targets, NEAR)) {
         hand_over(supervisor);
         tb_enter(supervisor, TB_STATE_TENSION, TB_PHASE_CLOSE);
     } else if (supervisor->cycles > TB_HOMING_TIMEOUT) {

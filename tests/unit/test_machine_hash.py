@@ -123,5 +123,5 @@ def test_another_contract_of_the_same_machine_is_another_hash(
 def test_another_version_is_another_hash(monkeypatch: pytest.MonkeyPatch) -> None:
     machine = without_functions(load_machine(STOCK))
     before = machine_hash(machine)
-    monkeypatch.setattr(identity, "GENERATOR_VERSION", "99.0.0")
+    monkeypatch.setattr(identity, "VERSION", "99.0.0")
     assert machine_hash(machine) != before

@@ -46,13 +46,21 @@ static void configure(peer *const p, uint32_t const drive)
 {
     uint32_t const receive = 0x201 + drive;
     uint32_t const send = 0x40000181 + drive;
-    uint32_t const writes[][2] = {
-        {0x14000120, receive | 0x80000000U}, {0x14000208, 1},          {0x16000008, 0},
-        {0x16000120, 0x60400010},            {0x16000220, 0x60710010}, {0x16000008, 2},
-        {0x14000120, receive},               {0x18000120, send | 0x80000000U},
-        {0x18000208, 1},                     {0x1A000008, 0},          {0x1A000120, 0x60410010},
-        {0x1A000220, 0x60640020},            {0x1A000008, 2},          {0x18000120, send},
-        {0x60600008, 10}};
+    uint32_t const writes[][2] = {{0x14000120, receive | 0x80000000U},
+                                  {0x14000208, 1},
+                                  {0x16000008, 0},
+                                  {0x16000120, 0x60400010},
+                                  {0x16000220, 0x60710010},
+                                  {0x16000008, 2},
+                                  {0x14000120, receive},
+                                  {0x18000120, send | 0x80000000U},
+                                  {0x18000208, 1},
+                                  {0x1A000008, 0},
+                                  {0x1A000120, 0x60410010},
+                                  {0x1A000220, 0x60640020},
+                                  {0x1A000008, 2},
+                                  {0x18000120, send},
+                                  {0x60600008, 10}};
     for (size_t i = 0; i < sizeof writes / sizeof writes[0]; i++) {
         write_object(p, drive, writes[i][0], writes[i][1]);
     }
@@ -94,8 +102,7 @@ static peer *new_drives(void)
                                  .torque_constant = 30000,
                                  .rotor_inertia = 1e-5};
     }
-    peer_config const config = {
-        BUSES, DRIVES, buses, drives, {.answer_delay = 50000, .seed = 1}};
+    peer_config const config = {BUSES, DRIVES, buses, drives, {.answer_delay = 50000, .seed = 1}};
     return peer_new(&config);
 }
 

@@ -9,7 +9,13 @@ static double upper[CABLES];
 static double lower[CABLES];
 static double basis[CABLES * REDUNDANCY];
 static DAQPProblem problem = {
-    .n = REDUNDANCY, .m = CABLES, .ms = 0, .A = basis, .bupper = upper, .blower = lower};
+    .n = REDUNDANCY,
+    .m = CABLES,
+    .ms = 0,
+    .A = basis,
+    .bupper = upper,
+    .blower = lower,
+};
 
 /* H = NULL and f = NULL is DAQP's form of least norm: nothing to factorise. */
 void solve_all(size_t count, const double structure[], const double wrench[], double tension[],

@@ -35,8 +35,9 @@ void solve_all(size_t count, const double structure[], const double wrench[], do
             bounds[k] = TENSION_MIN - start[k];
             bounds[CABLES + k] = start[k] - TENSION_MAX;
         }
-        solved[i] = qpgen2_(factor, linear, REDUNDANCY, lambda, multipliers, &value, constraints,
-                            bounds, CONSTRAINTS, 0, active, &active_count, iterations, work, 1) == 0;
+        solved[i] =
+            qpgen2_(factor, linear, REDUNDANCY, lambda, multipliers, &value, constraints, bounds,
+                    CONSTRAINTS, 0, active, &active_count, iterations, work, 1) == 0;
         add_kernel(start, constraints, lambda, &tension[i * CABLES]);
     }
 }

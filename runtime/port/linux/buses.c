@@ -41,7 +41,8 @@ static void say_permission(const char *bus, const tb_bus_option *option)
                "-aG %s USER) and log in again",
                bus, option->device, group_of(option->device), group_of(option->device));
     } else {
-        tb_say("--bus %s=socketcan:%s: no permission; a sandbox (container, RestrictAddressFamilies of "
+        tb_say("--bus %s=socketcan:%s: no permission; a sandbox (container, "
+               "RestrictAddressFamilies of "
                "systemd) keeps the program from CAN: allow AF_CAN",
                bus, option->device);
     }

@@ -12,8 +12,8 @@
 /* The grid of the cycles [ns]. */
 typedef struct {
     int64_t period;
-    int64_t phase;  /* from SYNC to reading the answers */
-    int64_t begin;  /* of the cycle that is next */
+    int64_t phase;   /* from SYNC to reading the answers */
+    int64_t begin;   /* of the cycle that is next */
     uint32_t missed; /* cycles skipped before it */
 } tb_grid;
 

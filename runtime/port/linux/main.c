@@ -46,9 +46,10 @@ static bool open_clock(tb_program *program)
 static bool prepare(tb_program *program)
 {
     tb_loop *const loop = &program->loop;
-    *loop = (tb_loop){
-        .options = &program->options, .master = &program->master, .ports = program->buses.ports,
-        .reopening = {.options = &program->options, .buses = &program->buses}};
+    *loop = (tb_loop){.options = &program->options,
+                      .master = &program->master,
+                      .ports = program->buses.ports,
+                      .reopening = {.options = &program->options, .buses = &program->buses}};
     tb_stop_listen();
     loop->telemetry = tb_telemetry_open(program->options.telemetry, program->options.clock != NULL);
     return (loop->telemetry != NULL) && tb_watchdog_open(&loop->watchdog) &&

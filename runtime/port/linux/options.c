@@ -32,7 +32,8 @@ static const char usage[] =
     "                    [default: /dev/shm/turnbuckle-" TB_MACHINE_NAME "]\n"
     "  --priority N      of SCHED_FIFO, 1 to 99; 0 for none [default: 80]\n"
     "  --cpu N           run on processor N alone\n"
-    "  --clock PATH      live by the clock of a simulation, not by the computer's: for the simulated\n"
+    "  --clock PATH      live by the clock of a simulation, not by the computer's: for the "
+    "simulated\n"
     "                    drives of turnbuckle run --sim alone\n"
     "  --seal            allow no system call that the control loop does not need\n"
     "  --version         print the machine's name and hash\n"
@@ -42,13 +43,18 @@ static const char usage[] =
     "drives miss its heartbeat, and switch themselves off.\n"
     "Exit status: 0 stopped as asked, 1 stopped by a fault, 2 could not start.\n";
 
-static const struct option known[] = {
-    {"bus", required_argument, NULL, 'b'},       {"arm", no_argument, NULL, 'a'},
-    {"cycles", required_argument, NULL, 'n'},    {"record", required_argument, NULL, 'r'},
-    {"telemetry", required_argument, NULL, 't'}, {"priority", required_argument, NULL, 'p'},
-    {"cpu", required_argument, NULL, 'c'},       {"clock", required_argument, NULL, 'k'},
-    {"seal", no_argument, NULL, 'e'},            {"version", no_argument, NULL, 'v'},
-    {"help", no_argument, NULL, 'h'},            {NULL, 0, NULL, 0}};
+static const struct option known[] = {{"bus", required_argument, NULL, 'b'},
+                                      {"arm", no_argument, NULL, 'a'},
+                                      {"cycles", required_argument, NULL, 'n'},
+                                      {"record", required_argument, NULL, 'r'},
+                                      {"telemetry", required_argument, NULL, 't'},
+                                      {"priority", required_argument, NULL, 'p'},
+                                      {"cpu", required_argument, NULL, 'c'},
+                                      {"clock", required_argument, NULL, 'k'},
+                                      {"seal", no_argument, NULL, 'e'},
+                                      {"version", no_argument, NULL, 'v'},
+                                      {"help", no_argument, NULL, 'h'},
+                                      {NULL, 0, NULL, 0}};
 
 static const tb_options defaults = {
     .telemetry = "/dev/shm/turnbuckle-" TB_MACHINE_NAME,
@@ -63,8 +69,8 @@ static bool read_number(const char *option, const char *text, uint64_t low, uint
     char *end = NULL;
     errno = 0;
     unsigned long long const value = strtoull(text, &end, 10);
-    if ((isdigit((unsigned char)text[0]) == 0) || (*end != '\0') || (errno != 0) ||
-        (value < low) || (value > high)) {
+    if ((isdigit((unsigned char)text[0]) == 0) || (*end != '\0') || (errno != 0) || (value < low) ||
+        (value > high)) {
         tb_say("%s: found \"%s\"; allowed: a whole number from %llu to %llu", option, text,
                (unsigned long long)low, (unsigned long long)high);
         return false;
@@ -105,7 +111,8 @@ static const char *bus_names(char *names, size_t room)
 static int find_bus(const char *text, size_t length)
 {
     for (int i = 0; i < TB_BUSES; i++) {
-        if ((strlen(tb_buses[i].name) == length) && (strncmp(tb_buses[i].name, text, length) == 0)) {
+        if ((strlen(tb_buses[i].name) == length) &&
+            (strncmp(tb_buses[i].name, text, length) == 0)) {
             return i;
         }
     }
@@ -135,7 +142,8 @@ static bool read_bus(const char *text, tb_options *options)
     size_t const length = strcspn(text, "=");
     int const number = find_bus(text, length);
     if (number < 0) {
-        tb_say("--bus %s: found the bus \"%.*s\"; allowed: one of %s, as in --bus %s=slcan:/dev/ttyACM0",
+        tb_say("--bus %s: found the bus \"%.*s\"; allowed: one of %s, as in --bus "
+               "%s=slcan:/dev/ttyACM0",
                text, (int)length, text, bus_names(names, sizeof names), tb_buses[0].name);
         return false;
     }

@@ -46,11 +46,12 @@ static bool take_processor(int cpu)
 
 static void say_what_is_missing(bool first, bool locked, int priority)
 {
-    tb_say("notice: without %s%s%s cycles may come late. The unit turnbuckle@.service has the rights; "
-           "for a user, put \"USER - rtprio %d\" and \"USER - memlock unlimited\" into "
-           "/etc/security/limits.d/turnbuckle.conf and log in again; --priority 0 does without",
-           first ? "" : "real-time priority (SCHED_FIFO)", (first || locked) ? "" : " and ",
-           locked ? "" : "locked memory", priority);
+    tb_say(
+        "notice: without %s%s%s cycles may come late. The unit turnbuckle@.service has the rights; "
+        "for a user, put \"USER - rtprio %d\" and \"USER - memlock unlimited\" into "
+        "/etc/security/limits.d/turnbuckle.conf and log in again; --priority 0 does without",
+        first ? "" : "real-time priority (SCHED_FIFO)", (first || locked) ? "" : " and ",
+        locked ? "" : "locked memory", priority);
 }
 
 bool tb_realtime_enter(const tb_options *options)

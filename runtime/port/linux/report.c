@@ -66,7 +66,8 @@ int tb_report(const tb_loop *loop, tb_end end)
 {
     tb_print("%" PRIu64 " cycles, %" PRIu64 " missed, at most %" PRIu64 " at once", loop->number,
              loop->times.missed, loop->times.longest_gap);
-    if (loop->options->clock == NULL) { /* in a simulation nothing is late, and computing takes no time */
+    if (loop->options->clock ==
+        NULL) { /* in a simulation nothing is late, and computing takes no time */
         report_times("late", &loop->times.lateness);
         report_times("computing", &loop->times.computing);
     }

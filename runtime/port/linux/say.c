@@ -22,7 +22,9 @@ static void write_line(int to, const char *prefix, const char *format, va_list a
     memcpy(line, prefix, begin);
     int const wanted = vsnprintf(line + begin, LONGEST_LINE - begin, format, arguments);
     size_t const room = LONGEST_LINE - begin - 1u;
-    size_t const end = begin + ((wanted < 0) ? 0u : ((size_t)wanted < room) ? (size_t)wanted : room);
+    size_t const end = begin + ((wanted < 0)              ? 0u
+                                : ((size_t)wanted < room) ? (size_t)wanted
+                                                          : room);
     line[end] = '\n';
     ssize_t const written = write(to, line, end + 1u);
     (void)written; /* nobody is left to be told */

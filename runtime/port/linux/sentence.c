@@ -56,8 +56,7 @@ static const tb_object *wanted_object(const tb_orders *orders)
     }
     const tb_drive_table *const drive = &tb_drives[orders->culprit];
     const tb_object *const object = find_object(drive->identity, drive->identity_count, orders);
-    return (object != NULL) ? object
-                            : find_object(drive->contract, drive->contract_count, orders);
+    return (object != NULL) ? object : find_object(drive->contract, drive->contract_count, orders);
 }
 
 /* The mode that a drive was told to take, or to show; the contract's comes before anyone orders one. */
@@ -74,13 +73,14 @@ static void tell_difference(const tb_orders *orders, size_t room, char text[])
     const tb_object *const wanted = wanted_object(orders);
     if (is_of_mode(orders)) {
         uint8_t const mode = tb_cia402_mode((tb_mode)orders->drives[orders->culprit].mode);
-        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", it was told 0x%X", orders->index,
-                 orders->subindex, orders->detail, (unsigned)mode);
+        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", it was told 0x%X",
+                 orders->index, orders->subindex, orders->detail, (unsigned)mode);
     } else if (wanted == NULL) {
-        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32, orders->index,
-                 orders->subindex, orders->detail);
+        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32, orders->index, orders->subindex,
+                 orders->detail);
     } else {
-        snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", the machine file says 0x%" PRIX32,
+        snprintf(text, room,
+                 ": object %04X:%02X holds 0x%" PRIX32 ", the machine file says 0x%" PRIX32,
                  orders->index, orders->subindex, orders->detail, wanted->value);
     }
 }
@@ -132,7 +132,8 @@ static const char *master_message(uint32_t function)
 static void tell_task(const tb_orders *orders, size_t room, char text[])
 {
     if (orders->failure == TB_FAILURE_RESTARTED) {
-        snprintf(text, room, ": it booted again; its supply failed, or another drive has its number");
+        snprintf(text, room,
+                 ": it booted again; its supply failed, or another drive has its number");
     } else if (orders->cause == TB_CAUSE_DRIVE_SETUP) {
         snprintf(text, room, ": it did not become operational");
     } else {
@@ -153,10 +154,11 @@ static void tell_detail(const tb_orders *orders, size_t room, char text[])
     } else if (orders->cause == TB_CAUSE_OTHER_MASTER) {
         snprintf(text, room, ": it sent %s", master_message(orders->detail));
     } else if (orders->cause == TB_CAUSE_CALIBRATION) {
-        snprintf(text, room, "%s", (orders->detail == (uint32_t)TB_CALIBRATION_OPEN)
-                                       ? ": the lengths do not close; an encoder counts wrongly, or pulleys, "
-                                         "rails or anchors are not as in the machine file"
-                                       : ": the poses do not tell them apart");
+        snprintf(text, room, "%s",
+                 (orders->detail == (uint32_t)TB_CALIBRATION_OPEN)
+                     ? ": the lengths do not close; an encoder counts wrongly, or pulleys, "
+                       "rails or anchors are not as in the machine file"
+                     : ": the poses do not tell them apart");
     } else if (orders->cause == TB_CAUSE_CYCLES_MISSED) {
         snprintf(text, room, ": %" PRIu32 " cycles at once", orders->detail);
     } else {

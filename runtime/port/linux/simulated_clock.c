@@ -53,8 +53,7 @@ static void say_why(const tb_simulated_clock *clock)
         tb_say("--clock %s: no simulation of this machine: it speaks of another number of buses",
                clock->path);
     } else if ((errno == EAGAIN) || (errno == EWOULDBLOCK)) {
-        tb_say("--clock %s: the simulation has let no time pass for %d s", clock->path,
-               PATIENCE);
+        tb_say("--clock %s: the simulation has let no time pass for %d s", clock->path, PATIENCE);
     } else if (errno != EINTR) { /* a person who has asked twice knows why */
         tb_say("--clock %s: %s", clock->path, strerror(errno));
     }
@@ -106,8 +105,9 @@ bool tb_simulated_clock_open(tb_simulated_clock *clock, const char *path,
     clock->socket = tb_unix_connect(SOCK_SEQPACKET, path);
     if ((clock->socket < 0) ||
         (setsockopt(clock->socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience) != 0)) {
-        tb_say("--clock %s: %s; allowed: the socket of a simulation, as turnbuckle run --sim has it",
-               path, strerror(errno));
+        tb_say(
+            "--clock %s: %s; allowed: the socket of a simulation, as turnbuckle run --sim has it",
+            path, strerror(errno));
         return false;
     }
     return let_time_pass(clock, 0); /* what time it is */

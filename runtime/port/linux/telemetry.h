@@ -51,7 +51,7 @@ typedef struct {
     uint32_t rails; /* slots: at least 1 */
     uint32_t drives;
     uint32_t buses;
-    uint32_t bins; /* of a histogram */
+    uint32_t bins;      /* of a histogram */
     uint32_t status_at; /* bytes from the beginning of the file */
     uint32_t status_bytes;
     uint32_t cycles_at;
@@ -60,11 +60,11 @@ typedef struct {
     uint32_t inbox_at;
     uint32_t inbox_bytes;
     uint32_t pid;
-    uint32_t simulated; /* 1: a simulation keeps the time, of cycles as well */
-    uint32_t has_rails; /* 0: the slot of a rail is not used */
-    double period;      /* s, one cycle */
-    double tension_min; /* N */
-    double tension_max; /* N */
+    uint32_t simulated;                   /* 1: a simulation keeps the time, of cycles as well */
+    uint32_t has_rails;                   /* 0: the slot of a rail is not used */
+    double period;                        /* s, one cycle */
+    double tension_min;                   /* N */
+    double tension_max;                   /* N */
     int64_t edges[TB_HISTOGRAM_BINS - 1]; /* ns, of the histograms */
     char drive_names[TB_DRIVES][TB_TELEMETRY_NAME];
     char bus_names[TB_BUSES][TB_TELEMETRY_NAME];
@@ -110,9 +110,9 @@ typedef struct {
     double ordered_torque; /* N m */
     uint16_t statusword;
     uint16_t error_code;
-    uint8_t power;    /* tb_power */
-    uint8_t mode;     /* tb_mode */
-    uint8_t homing;   /* tb_homing */
+    uint8_t power;  /* tb_power */
+    uint8_t mode;   /* tb_mode */
+    uint8_t homing; /* tb_homing */
     uint8_t fresh;
     uint8_t missed;
     uint8_t silent;
@@ -129,26 +129,26 @@ typedef struct {
     int64_t time;    /* ns of CLOCK_MONOTONIC, or simulated; at its beginning */
     uint32_t missed; /* cycles skipped just before */
     uint32_t requests;
-    uint8_t state;   /* tb_state */
+    uint8_t state; /* tb_state */
     uint8_t phase;
-    uint8_t cause;   /* tb_cause */
+    uint8_t cause; /* tb_cause */
     uint8_t beat;
-    int32_t status;  /* tb_status of the controller step */
+    int32_t status; /* tb_status of the controller step */
     double pose[TB_DOF];
     double velocity[TB_DOF];
-    double residual; /* m */
-    double force[TB_DOF];           /* N, of the application */
-    double wanted_force[TB_DOF];    /* N, walls + application */
-    double delivered_force[TB_DOF]; /* N */
-    double tension[TB_CABLES];      /* N, commanded */
-    double slack[TB_CABLES];        /* m */
+    double residual;                   /* m */
+    double force[TB_DOF];              /* N, of the application */
+    double wanted_force[TB_DOF];       /* N, walls + application */
+    double delivered_force[TB_DOF];    /* N */
+    double tension[TB_CABLES];         /* N, commanded */
+    double slack[TB_CABLES];           /* m */
     double rail_target[TB_RAIL_SLOTS]; /* m */
     tb_telemetry_drive drives[TB_DRIVES];
 } tb_telemetry_cycle;
 
 /** What other programs write. */
 typedef struct {
-    _Atomic uint32_t arm;   /* requests: add 1 to ask once */
+    _Atomic uint32_t arm; /* requests: add 1 to ask once */
     _Atomic uint32_t stop;
     _Atomic uint32_t reset;
     uint32_t reserved;

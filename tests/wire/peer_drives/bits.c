@@ -113,7 +113,6 @@ bool frame_equal(peer_frame const *const a, peer_frame const *const b)
     return same && (a->remote || memcmp(a->data, b->data, a->length) == 0);
 }
 
-
 peer_time bits_time(uint32_t const bits, uint32_t const bit_rate)
 {
     return (peer_time)((bits * 1000000000ULL + bit_rate / 2) / bit_rate);

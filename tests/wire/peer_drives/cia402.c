@@ -36,8 +36,10 @@ static command decode(uint16_t const word)
         uint16_t mask;
         uint16_t value;
         command command;
-    } const patterns[] = {{0x87, 0x06, SHUTDOWN},        {0x8F, 0x07, SWITCH_ON},
-                          {0x8F, 0x0F, ENABLE},          {0x82, 0x00, DISABLE_VOLTAGE},
+    } const patterns[] = {{0x87, 0x06, SHUTDOWN},
+                          {0x8F, 0x07, SWITCH_ON},
+                          {0x8F, 0x0F, ENABLE},
+                          {0x82, 0x00, DISABLE_VOLTAGE},
                           {0x86, 0x02, QUICK_STOP}};
     for (size_t i = 0; i < sizeof patterns / sizeof patterns[0]; i++) {
         if ((word & patterns[i].mask) == patterns[i].value) {
@@ -262,9 +264,7 @@ static void act_as_commanded(drive *const d)
     peer_power const state = d->power.state;
     switch (d->value[O_ABORT_OPTION]) {
     case 1: cia402_fault(d, true); break;
-    case 2:
-        disable_voltage(d);
-        break;
+    case 2: disable_voltage(d); break;
     case 3:
         if (state == PEER_OPERATION_ENABLED) {
             quick_stop(d);

@@ -43,9 +43,13 @@ bool object_exists(uint16_t const index)
 
 unsigned object_bytes(int const slot)
 {
-    static uint8_t const bytes[] = {
-        [U8] = 1,  [I8] = 1,  [U16] = 2, [I16] = 2,
-        [U32] = 4, [I32] = 4, [STRING] = sizeof device_name - 1};
+    static uint8_t const bytes[] = {[U8] = 1,
+                                    [I8] = 1,
+                                    [U16] = 2,
+                                    [I16] = 2,
+                                    [U32] = 4,
+                                    [I32] = 4,
+                                    [STRING] = sizeof device_name - 1};
     return bytes[objects[slot].type];
 }
 

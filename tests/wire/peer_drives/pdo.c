@@ -6,10 +6,22 @@ static uint32_t const INVALID = 0x80000000U;
 static uint32_t const NO_REMOTE = 0x40000000U;
 static uint32_t const EXTENDED = 0x20000000U;
 
-static int rpdo_id(unsigned const n) { return O_RPDO1_ID + RPDO_STRIDE * (int)n; }
-static int rpdo_map(unsigned const n) { return O_RPDO1_MAP + MAP_STRIDE * (int)n; }
-static int tpdo_id(unsigned const n) { return O_TPDO1_ID + TPDO_STRIDE * (int)n; }
-static int tpdo_map(unsigned const n) { return O_TPDO1_MAP + MAP_STRIDE * (int)n; }
+static int rpdo_id(unsigned const n)
+{
+    return O_RPDO1_ID + RPDO_STRIDE * (int)n;
+}
+static int rpdo_map(unsigned const n)
+{
+    return O_RPDO1_MAP + MAP_STRIDE * (int)n;
+}
+static int tpdo_id(unsigned const n)
+{
+    return O_TPDO1_ID + TPDO_STRIDE * (int)n;
+}
+static int tpdo_map(unsigned const n)
+{
+    return O_TPDO1_MAP + MAP_STRIDE * (int)n;
+}
 
 bool pdo_is_parameter(int const slot)
 {

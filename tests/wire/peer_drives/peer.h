@@ -18,7 +18,7 @@ enum {
     PDOS = 4,
     MAPPED = 12, /* objects in a PDO */
     SERVO_PERIOD = 250000,
-    QUEUE = 64,  /* frames of the master and of other nodes */
+    QUEUE = 64,    /* frames of the master and of other nodes */
     OUTGOING = 32, /* frames of one drive */
     INBOX = 1024,
     REQUESTS = 8, /* SDO requests of one drive */
@@ -147,8 +147,8 @@ typedef struct {
     bool fresh;
     uint8_t length;
     uint8_t data[8];
-    unsigned syncs;   /* TPDO: since it was sent */
-    bool event;       /* TPDO: to be sent for a change */
+    unsigned syncs;      /* TPDO: since it was sent */
+    bool event;          /* TPDO: to be sent for a change */
     peer_time inhibited; /* TPDO: until */
 } pdo;
 
@@ -173,30 +173,24 @@ typedef enum { ACT_COAST, ACT_TORQUE, ACT_POSITION } action;
 
 typedef struct {
     action action;
-    double torque;        /* at the shaft, N m */
-    double current;       /* as the drive sees it, mA */
+    double torque;  /* at the shaft, N m */
+    double current; /* as the drive sees it, mA */
     double current_demand;
     double current_averaged;
     bool limited;
-    double heat;          /* I2t, 1: the limit becomes the nominal current */
-    double demand;        /* counts, which do not wrap here */
-    double demand_rate;   /* counts/s */
-    double goal;          /* of CSP's interpolation, counts */
-    unsigned steps;       /* left to the goal */
+    double heat;        /* I2t, 1: the limit becomes the nominal current */
+    double demand;      /* counts, which do not wrap here */
+    double demand_rate; /* counts/s */
+    double goal;        /* of CSP's interpolation, counts */
+    unsigned steps;     /* left to the goal */
     double integral;
-    double counts;        /* at the last servo period */
-    double tracked;       /* the estimate of it, counts */
-    double velocity;      /* estimated, counts/s */
-    int32_t shift;        /* by homing: position = count + shift */
+    double counts;   /* at the last servo period */
+    double tracked;  /* the estimate of it, counts */
+    double velocity; /* estimated, counts/s */
+    int32_t shift;   /* by homing: position = count + shift */
 } servo;
 
-typedef enum {
-    HOMING_IDLE,
-    HOMING_SEEK,
-    HOMING_MOVE,
-    HOMING_DONE,
-    HOMING_FAILED
-} homing_phase;
+typedef enum { HOMING_IDLE, HOMING_SEEK, HOMING_MOVE, HOMING_DONE, HOMING_FAILED } homing_phase;
 
 typedef struct {
     homing_phase phase;
@@ -207,37 +201,37 @@ typedef struct {
 typedef struct {
     peer_power state;
     uint16_t controlword;
-    bool pending;         /* the controlword was written and may ask for a transition */
-    peer_time commanded;  /* since when */
+    bool pending;        /* the controlword was written and may ask for a transition */
+    peer_time commanded; /* since when */
     bool reset_edge;
-    bool stopping;        /* a ramp runs, then `after` by transition `number` */
+    bool stopping; /* a ramp runs, then `after` by transition `number` */
     peer_power after;
     unsigned number;
-    double deceleration;  /* of the ramp, rpm/s */
-    bool latched;         /* communication error: needs "reset communication" */
-    bool referenced_off;  /* the error's reset loses the home position */
+    double deceleration; /* of the ramp, rpm/s */
+    bool latched;        /* communication error: needs "reset communication" */
+    bool referenced_off; /* the error's reset loses the home position */
     bool warning;
 } power;
 
 typedef struct {
     peer_drive config;
     unsigned number;
-    bool on;              /* has power */
+    bool on; /* has power */
     peer_nmt nmt;
     peer_time boot_at;
     peer_time restart_at;
-    uint32_t restarts;    /* still to come */
+    uint32_t restarts; /* still to come */
     peer_time heartbeat_at;
     peer_time burst_at;
     int mode;
-    peer_time mode_at;    /* when the mode asked for is taken */
+    peer_time mode_at; /* when the mode asked for is taken */
     consumer consumer[2];
-    unsigned errors;      /* of its CAN controller */
+    unsigned errors; /* of its CAN controller */
     bool bus_off;
     int64_t value[SLOTS];
     int64_t stored[SLOTS];
     int64_t factory[SLOTS];
-    bool restore;         /* factory values at the next start */
+    bool restore; /* factory values at the next start */
     int rpdo_slot[PDOS][MAPPED];
     int tpdo_slot[PDOS][MAPPED];
     pdo rpdo[PDOS];

@@ -109,58 +109,58 @@ typedef enum {
 
 typedef struct {
     /* Legal */
-    uint32_t upload;              /**< a peer_upload */
-    uint32_t segment_bytes;       /**< data of an upload segment, 1 to 7; 0: 7 */
-    uint32_t fill;                /**< what unused bytes of SDO answers hold */
-    uint32_t restarts;            /**< so many boot-ups are followed by a restart and another one */
-    peer_time restart_after;      /**< time from such a boot-up to the next */
-    uint32_t heartbeat_percent;   /**< of the heartbeat period set; 0: 100 */
-    uint32_t status_set;          /**< statusword bits set; bit 5 only where it has no meaning */
-    uint32_t status_toggle;       /**< statusword bits inverted in every second sample */
-    peer_time burst_period;       /**< between bursts of emergencies; 0: none */
-    uint32_t burst_count;         /**< warnings 0xFF01 in a burst, which 0x0000 ends */
-    peer_time inhibit_jitter;     /**< inhibit times are longer by up to so much */
-    bool any_order;               /**< each TPDO takes its own delay */
-    peer_time transition_delay;   /**< commands of state and mode are acted on so much later */
-    bool reaction_is_command;     /**< after a lost heartbeat not FAULT but where 6007 leads */
+    uint32_t upload;            /**< a peer_upload */
+    uint32_t segment_bytes;     /**< data of an upload segment, 1 to 7; 0: 7 */
+    uint32_t fill;              /**< what unused bytes of SDO answers hold */
+    uint32_t restarts;          /**< so many boot-ups are followed by a restart and another one */
+    peer_time restart_after;    /**< time from such a boot-up to the next */
+    uint32_t heartbeat_percent; /**< of the heartbeat period set; 0: 100 */
+    uint32_t status_set;        /**< statusword bits set; bit 5 only where it has no meaning */
+    uint32_t status_toggle;     /**< statusword bits inverted in every second sample */
+    peer_time burst_period;     /**< between bursts of emergencies; 0: none */
+    uint32_t burst_count;       /**< warnings 0xFF01 in a burst, which 0x0000 ends */
+    peer_time inhibit_jitter;   /**< inhibit times are longer by up to so much */
+    bool any_order;             /**< each TPDO takes its own delay */
+    peer_time transition_delay; /**< commands of state and mode are acted on so much later */
+    bool reaction_is_command;   /**< after a lost heartbeat not FAULT but where 6007 leads */
     /* Illegal */
-    uint32_t rated_torque;        /**< 6076 says this instead, uNm; 0: the truth */
-    uint32_t misread_index;       /**< an SDO upload of this object ... */
+    uint32_t rated_torque;  /**< 6076 says this instead, uNm; 0: the truth */
+    uint32_t misread_index; /**< an SDO upload of this object ... */
     uint32_t misread_sub;
-    uint32_t misread_xor;         /**< ... has these bits inverted */
-    bool remote_clear;            /**< statusword bit 9 stays 0 */
-    bool missing;                 /**< the drive has no power */
-    bool toggle_error;            /**< SDO segments are answered with the wrong toggle bit */
-    uint32_t abort_index;         /**< SDO requests for this object are aborted ... */
+    uint32_t misread_xor; /**< ... has these bits inverted */
+    bool remote_clear;    /**< statusword bit 9 stays 0 */
+    bool missing;         /**< the drive has no power */
+    bool toggle_error;    /**< SDO segments are answered with the wrong toggle bit */
+    uint32_t abort_index; /**< SDO requests for this object are aborted ... */
     uint32_t abort_sub;
-    uint32_t abort_code;          /**< ... with this code; 0: none */
-    int32_t mode_display;         /**< 6061 says this; 0: the truth */
-    uint32_t status_forced;       /**< the statusword is this; 0: the truth */
+    uint32_t abort_code;    /**< ... with this code; 0: none */
+    int32_t mode_display;   /**< 6061 says this; 0: the truth */
+    uint32_t status_forced; /**< the statusword is this; 0: the truth */
     /* Faults of encoder and torque */
-    uint32_t encoder;             /**< a peer_encoder_fault */
+    uint32_t encoder; /**< a peer_encoder_fault */
     double encoder_value;
-    uint32_t torque;              /**< a peer_torque_fault */
-    bool torque_hidden;           /**< the drive's own figures, 6077 and 30D1, do not show it */
+    uint32_t torque;    /**< a peer_torque_fault */
+    bool torque_hidden; /**< the drive's own figures, 6077 and 30D1, do not show it */
 } peer_variation;
 
 typedef struct {
-    uint32_t bus;                 /**< from 0 */
-    uint32_t node;                /**< 1 to 127; two of a bus may share one, which is illegal */
-    uint32_t counts_per_turn;     /**< a multiple of 4 */
-    uint32_t nominal_current;     /**< mA */
-    uint32_t current_limit;       /**< mA */
-    uint32_t torque_constant;     /**< uNm/A */
+    uint32_t bus;             /**< from 0 */
+    uint32_t node;            /**< 1 to 127; two of a bus may share one, which is illegal */
+    uint32_t counts_per_turn; /**< a multiple of 4 */
+    uint32_t nominal_current; /**< mA */
+    uint32_t current_limit;   /**< mA */
+    uint32_t torque_constant; /**< uNm/A */
     uint32_t vendor;
     uint32_t product;
     uint32_t revision;
     uint32_t serial;
     int32_t initial_count;
-    double rotor_inertia;         /**< kg m^2 */
-    double tuned_inertia;         /**< what the position controller is tuned to; 0: the rotor's */
-    double friction;              /**< of a free rotor, N m s */
-    double stop_low;              /**< end stops of a free rotor, rad; both 0: none */
+    double rotor_inertia; /**< kg m^2 */
+    double tuned_inertia; /**< what the position controller is tuned to; 0: the rotor's */
+    double friction;      /**< of a free rotor, N m s */
+    double stop_low;      /**< end stops of a free rotor, rad; both 0: none */
     double stop_high;
-    peer_time boot_delay;         /**< from power on, or a reset, to the boot-up message */
+    peer_time boot_delay; /**< from power on, or a reset, to the boot-up message */
     peer_variation variation;
 } peer_drive;
 
@@ -169,35 +169,35 @@ typedef enum { PEER_ACK_Z, PEER_ACK_CR, PEER_ACK_NONE } peer_ack;
 
 typedef struct {
     /* Legal: the adapter's text */
-    uint32_t acknowledgement;     /**< a peer_ack */
-    bool lower_case;              /**< hexadecimal digits */
-    bool line_feed;               /**< lines end with CR LF */
-    bool timestamps;              /**< even without Z1 */
-    bool pieces;                  /**< lines arrive in pieces of any length */
-    peer_time piece_delay;        /**< a piece comes so much after the one before at most */
-    bool stale;                   /**< the rest of older lines is in the line at first */
-    bool echo_frames;             /**< frames sent come back as lines too */
-    peer_time latency;            /**< of the serial line, towards the master */
+    uint32_t acknowledgement; /**< a peer_ack */
+    bool lower_case;          /**< hexadecimal digits */
+    bool line_feed;           /**< lines end with CR LF */
+    bool timestamps;          /**< even without Z1 */
+    bool pieces;              /**< lines arrive in pieces of any length */
+    peer_time piece_delay;    /**< a piece comes so much after the one before at most */
+    bool stale;               /**< the rest of older lines is in the line at first */
+    bool echo_frames;         /**< frames sent come back as lines too */
+    peer_time latency;        /**< of the serial line, towards the master */
     /* Foreign and illegal */
-    bool echo_sync;               /**< the master receives its own SYNC */
-    peer_time time_period;        /**< of a TIME message (0x100); 0: none */
-    peer_time foreign_period;     /**< of a foreign node's heartbeat; 0: none */
+    bool echo_sync;           /**< the master receives its own SYNC */
+    peer_time time_period;    /**< of a TIME message (0x100); 0: none */
+    peer_time foreign_period; /**< of a foreign node's heartbeat; 0: none */
     uint32_t foreign_node;
     uint32_t foreign_state;
 } peer_bus_variation;
 
 typedef struct {
-    uint32_t bit_rate;            /**< bit/s */
-    bool adapter;                 /**< the master is behind a serial adapter */
+    uint32_t bit_rate; /**< bit/s */
+    bool adapter;      /**< the master is behind a serial adapter */
     peer_bus_variation variation;
 } peer_bus;
 
 typedef struct {
-    peer_time answer_delay;       /**< SYNC to TPDO, at most */
-    peer_time sdo_delay;          /**< SDO request to answer, at most */
-    peer_time setpoint_deadline;  /**< setpoints so long after a SYNC count as late; 0: none do */
-    uint64_t seed;                /**< of all delays */
-    bool worst;                   /**< all frames and delays as long as they can be */
+    peer_time answer_delay;      /**< SYNC to TPDO, at most */
+    peer_time sdo_delay;         /**< SDO request to answer, at most */
+    peer_time setpoint_deadline; /**< setpoints so long after a SYNC count as late; 0: none do */
+    uint64_t seed;               /**< of all delays */
+    bool worst;                  /**< all frames and delays as long as they can be */
 } peer_timing;
 
 typedef struct {
@@ -229,25 +229,25 @@ typedef enum {
 
 /** What a drive saw since time 0. A setpoint is a synchronous RPDO with 6071 or 607A. */
 typedef struct {
-    uint64_t syncs;               /**< SYNCs while OPERATIONAL */
-    uint64_t setpoints;           /**< all that arrived while OPERATIONAL */
-    uint64_t late;                /**< arrived after setpoint_deadline */
-    uint64_t doubled;             /**< SYNCs that found more than one */
-    uint64_t lost;                /**< SYNCs that found none, since the first setpoint */
-    peer_time latest_setpoint;    /**< the longest time from a SYNC to a setpoint */
-    uint64_t short_pdos;          /**< RPDOs with less than is mapped */
-    uint64_t heartbeats;          /**< heard, of nodes it watches */
-    peer_time last_heartbeat;     /**< time of the last of them; -1: none */
-    peer_time last_sync;          /**< time of the last SYNC; -1: none */
-    uint64_t dropped;             /**< frames of its own it had no room for */
-    uint32_t transitions;         /**< bit n: transition n of CiA 402 was taken */
+    uint64_t syncs;            /**< SYNCs while OPERATIONAL */
+    uint64_t setpoints;        /**< all that arrived while OPERATIONAL */
+    uint64_t late;             /**< arrived after setpoint_deadline */
+    uint64_t doubled;          /**< SYNCs that found more than one */
+    uint64_t lost;             /**< SYNCs that found none, since the first setpoint */
+    peer_time latest_setpoint; /**< the longest time from a SYNC to a setpoint */
+    uint64_t short_pdos;       /**< RPDOs with less than is mapped */
+    uint64_t heartbeats;       /**< heard, of nodes it watches */
+    peer_time last_heartbeat;  /**< time of the last of them; -1: none */
+    peer_time last_sync;       /**< time of the last SYNC; -1: none */
+    uint64_t dropped;          /**< frames of its own it had no room for */
+    uint32_t transitions;      /**< bit n: transition n of CiA 402 was taken */
 } peer_counters;
 
 typedef struct {
-    uint64_t frames;              /**< that passed */
-    peer_time busy;               /**< time the wire was taken, with the 3 bits between frames */
-    uint64_t collisions;          /**< of unequal frames with one identifier */
-    uint64_t overflows;           /**< frames or bytes the master did not fetch in time */
+    uint64_t frames;     /**< that passed */
+    peer_time busy;      /**< time the wire was taken, with the 3 bits between frames */
+    uint64_t collisions; /**< of unequal frames with one identifier */
+    uint64_t overflows;  /**< frames or bytes the master did not fetch in time */
 } peer_bus_counters;
 
 typedef struct peer peer;

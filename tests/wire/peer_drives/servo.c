@@ -96,8 +96,7 @@ static action wanted_action(drive const *const d)
 {
     power const *const w = &d->power;
     switch (w->state) {
-    case PEER_OPERATION_ENABLED:
-        return d->mode == 10 && !w->stopping ? ACT_TORQUE : ACT_POSITION;
+    case PEER_OPERATION_ENABLED: return d->mode == 10 && !w->stopping ? ACT_TORQUE : ACT_POSITION;
     case PEER_QUICK_STOP: return ACT_POSITION;
     case PEER_FAULT_REACTION: return w->stopping ? ACT_POSITION : ACT_COAST;
     default: return ACT_COAST;
