@@ -27,7 +27,7 @@ static const char usage[] =
     "  --bus NAME=socketcan:can0        a bus behind an interface of the kernel\n"
     "  --arm             arm as soon as every drive is configured\n"
     "  --cycles N        stop after N cycles\n"
-    "  --record FILE     write the flight recorder to FILE at the end\n"
+    "  --record FILE     keep the flight recorder in FILE; a folder: in a file of the run's own\n"
     "  --telemetry FILE  shared file for monitors and applications\n"
     "                    [default: /dev/shm/turnbuckle-" TB_MACHINE_NAME "]\n"
     "  --priority N      of SCHED_FIFO, 1 to 99; 0 for none [default: 80]\n"
