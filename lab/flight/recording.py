@@ -6,7 +6,7 @@ FlightError that names the file, what was found and what is allowed.
 
 import re
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -255,7 +255,7 @@ def segment_at(places: Places, cycle: Layout, at: int) -> Segment | None:
 
 
 def checksum_of(content: bytes, at: int, end: int) -> int:
-    """CRC-32 of a segment: its memory and its cycles, then the number of its first and its count."""
+    """CRC-32 of a segment: memory and cycles, then the number of the first and the count."""
     view = memoryview(content)
     head = view[at : at + SEGMENT.fields["checksum"][1]]  # type: ignore[index]
     return zlib.crc32(head, zlib.crc32(view[at + SEGMENT.itemsize : end]))

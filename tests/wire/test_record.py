@@ -43,7 +43,7 @@ def lines() -> Iterator[Lines]:
 
 
 def killed(run: Running) -> int:
-    """Kill a program; how many cycles it had published. Its writer is through when its stderr is closed."""
+    """Kill a program, and wait for its writer, which closes stderr; the cycles that it published."""
     run.process.kill()
     _out, err = run.process.communicate(timeout=PATIENCE)
     assert err == ""
@@ -144,9 +144,7 @@ def refused(program: Path, *options: str) -> str:
     return done.stderr
 
 
-def test_where_no_bus_can_be_opened_the_last_recording_stays(
-    program: Path, tmp_path: Path
-) -> None:
+def test_where_no_bus_can_be_opened_the_last_recording_stays(program: Path, tmp_path: Path) -> None:
     dump = tmp_path / "dump"
     dump.write_bytes(KEPT)
     buses = [f"--bus={name}=slcan:/dev/no_{name}" for name in ("cable1", "cable2", "base")]
@@ -198,7 +196,9 @@ def test_what_is_not_ours_is_not_replaced(
     others = [pipe, Path("/dev/null"), *([folder] if option == "telemetry" else [])]
     for path in others:
         about = path.lstat()
-        assert f"--{option} {path}: is no " in refused(program, *lines.options, f"--{option}={path}")
+        assert f"--{option} {path}: is no " in refused(
+            program, *lines.options, f"--{option}={path}"
+        )
         assert path.lstat()[:2] == about[:2]
     assert {path.name for path in tmp_path.iterdir()} == {"precious.txt", "link", "pipe", "folder"}
 
