@@ -3,10 +3,8 @@
 import hashlib
 import inspect
 import json
-import multiprocessing
 import os
 import tempfile
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +21,7 @@ from turnbuckle.codegen import (
 )
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase, measure
 from turnbuckle.codegen.composite import Item, fingerprint
+from turnbuckle.codegen.processes import forked_workers
 from turnbuckle.model.machine import Machine
 from turnbuckle.places import cache_folder
 
@@ -56,8 +55,7 @@ def measure_all(machine: Machine, routines: list[Item], numbers: list[int]) -> l
     if len(numbers) < 2:
         return [measure_one(number) for number in numbers]
     order = sorted(numbers, key=lambda number: -len(fingerprint(routines[number])))
-    context = multiprocessing.get_context("fork")
-    with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
+    with forked_workers(os.cpu_count()) as pool:
         measured = dict(zip(order, pool.map(measure_one, order), strict=True))
     return [measured[number] for number in numbers]
 

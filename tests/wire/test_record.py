@@ -43,7 +43,7 @@ def lines() -> Iterator[Lines]:
 
 
 def killed(run: Running) -> int:
-    """Kill a program, and wait for its writer, which closes stderr; the cycles that it published."""
+    """Kill a program, and wait for its writer, which closes stderr; the cycles it published."""
     run.process.kill()
     _out, err = run.process.communicate(timeout=PATIENCE)
     assert err == ""
