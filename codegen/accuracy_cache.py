@@ -4,7 +4,7 @@ import hashlib
 import inspect
 import json
 import os
-import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +22,7 @@ from turnbuckle.codegen import (
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase, measure
 from turnbuckle.codegen.composite import Item, fingerprint
 from turnbuckle.codegen.processes import forked_workers
+from turnbuckle.model.files import FileError, write_whole
 from turnbuckle.model.machine import Machine
 from turnbuckle.places import cache_folder
 
@@ -107,13 +108,5 @@ def keep(path: Path, found: Accuracy) -> None:
         output: {precision: case.__dict__ for precision, case in cases.items()}
         for output, cases in found.results.items()
     }
-    name = ""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as stream:
-            name = stream.name
-            json.dump(content, stream)
-        os.replace(name, path)
-    except OSError:
-        if name:
-            Path(name).unlink(missing_ok=True)
+    with suppress(FileError):
+        write_whole(path, json.dumps(content))

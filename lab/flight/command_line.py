@@ -78,8 +78,12 @@ def log(
       turnbuckle log flight.dump --out flight.parquet --plot flight.png
     """
     from turnbuckle.lab.flight.recording import read_recording
-    from turnbuckle.lab.flight.table import write_table
+    from turnbuckle.lab.flight.table import refuse_foreign_table, write_table
+    from turnbuckle.lab.pictures import refuse_foreign_picture
 
+    refuse_foreign_table(out)
+    if plot is not None:
+        refuse_foreign_picture(plot)
     recording = read_recording(dump, file)
     warn_of_flaws(recording)
     write_table(recording, out)
