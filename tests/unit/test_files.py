@@ -172,3 +172,12 @@ def test_a_command_refuses_the_folder_of_another_machine_before_its_work(
     assert result.exit_code == 2
     assert f"{tmp_path / 'mine'}: holds the files of tripod, not of yoon2023" in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [["check", str(MACHINE)], ["--version"], ["log", "--help"]])
+def test_a_standard_output_without_room_is_named(words: list[str]) -> None:
+    with Path("/dev/full").open("w") as full:
+        command = [sys.executable, "-m", "turnbuckle", *words]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 2
+    assert done.stderr == "turnbuckle: standard output: No space left on device\n"

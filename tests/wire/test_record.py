@@ -137,7 +137,7 @@ def faults(pid: int) -> list[str]:
 
 def refused(program: Path, *options: str) -> str:
     """What a program says that cannot start; it says one thing."""
-    command = [program, f"--telemetry={shared_file()}", *options]
+    command: list[str | Path] = [program, f"--telemetry={shared_file()}", *options]
     done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.count("\n") == 1
