@@ -3,10 +3,8 @@
 import hashlib
 import inspect
 import json
-import multiprocessing
 import os
-import tempfile
-from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +23,8 @@ from turnbuckle.codegen import (
 )
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase, measure
 from turnbuckle.codegen.item import Item, fingerprint
+from turnbuckle.codegen.processes import forked_workers
+from turnbuckle.model.files import FileError, write_whole
 from turnbuckle.model.machine import Machine
 from turnbuckle.places import cache_folder
 
@@ -61,8 +61,7 @@ def measure_all(machine: Machine, routines: list[Item], numbers: list[int]) -> l
     if len(numbers) < 2:
         return [measure_one(number) for number in numbers]
     order = sorted(numbers, key=lambda number: -len(fingerprint(routines[number])))
-    context = multiprocessing.get_context("fork")
-    with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
+    with forked_workers(os.cpu_count()) as pool:
         measured = dict(zip(order, pool.map(measure_one, order), strict=True))
     return [measured[number] for number in numbers]
 
@@ -114,13 +113,5 @@ def keep(path: Path, found: Accuracy) -> None:
         output: {precision: case.__dict__ for precision, case in cases.items()}
         for output, cases in found.results.items()
     }
-    name = ""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as stream:
-            name = stream.name
-            json.dump(content, stream)
-        os.replace(name, path)
-    except OSError:
-        if name:
-            Path(name).unlink(missing_ok=True)
+    with suppress(FileError):
+        write_whole(path, json.dumps(content))

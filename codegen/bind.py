@@ -3,8 +3,6 @@
 import ctypes
 import hashlib
 import json
-import os
-import tempfile
 from collections import namedtuple
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -18,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from turnbuckle.codegen.compile import LIBRARIES, compile_library
 from turnbuckle.codegen.folder import FolderError
 from turnbuckle.codegen.generate import MANIFEST, TEMPLATES, generate, write
+from turnbuckle.model.files import write_whole
 from turnbuckle.model.machine import Machine, load_machine
 from turnbuckle.model.symbolic.function import Status
 
@@ -201,10 +200,7 @@ def batch_source(folder: Path, content: dict[str, Any]) -> Path:
 
 def keep_text(path: Path, text: str) -> None:
     """Write a file whole: another process that reads it meanwhile sees all of it or none."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as stream:
-        stream.write(text)
-    os.replace(stream.name, path)
+    write_whole(path, text)
 
 
 def generate_into_cache(machine: Machine) -> Path:

@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from turnbuckle.model.terminal import FAILED_CHECK, MachineFile, complain, fail, progress, working
+from turnbuckle.model.terminal import (
+    FAILED_CHECK,
+    Force,
+    MachineFile,
+    complain,
+    fail,
+    progress,
+    working,
+)
 
 if TYPE_CHECKING:
     from turnbuckle.codegen.verify import Report
@@ -31,6 +39,7 @@ def generate(
         bool,
         typer.Option("--strict", help="Write nothing if the target's force is not to be had."),
     ] = False,
+    force: Force = False,
 ) -> None:
     """Write the C of a machine.
 
@@ -52,7 +61,7 @@ def generate(
     folder = out or Path("generated") / machine.name
     warn_of_weakness(machine, strict)
     with working(f"generating {machine.name}"):
-        files, changed = write_changed(machine, folder)
+        files, changed = write_changed(machine, folder, force)
     say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
 
 
@@ -70,16 +79,16 @@ def warn_of_weakness(machine: Machine, strict: bool) -> None:
     complain(f"warning: {message}")
 
 
-def write_changed(machine: Machine, folder: Path) -> tuple[dict[str, str], bool]:
+def write_changed(machine: Machine, folder: Path, force: bool) -> tuple[dict[str, str], bool]:
     """The generated files of a machine, and whether the folder had to be written."""
     from turnbuckle.codegen.folder import refuse_foreign
     from turnbuckle.codegen.generate import MANIFEST, generate, write
 
-    refuse_foreign(folder, MANIFEST)  # before the long work rather than after it
+    refuse_foreign(folder, MANIFEST, [machine.name], force)  # before the long work
     files = generate(machine)
     changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
     if changed:
-        write(files, folder)
+        write(files, folder, force)
     return files, changed
 
 

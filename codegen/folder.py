@@ -1,15 +1,17 @@
 """Folders of results: written as a whole or not at all, and never over something else.
 
 Among the files is a manifest, JSON whose key "files" names the others. It tells a folder that may
-be replaced from one that holds a user's own work.
+be replaced from one that holds a user's own work. Its key "machine", or "machines", tells whose
+files they are: those of another machine are replaced only by force.
 """
 
 import json
 import os
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from turnbuckle.model.refusal import Refusal
 
@@ -18,13 +20,15 @@ class FolderError(Refusal):
     """A folder cannot be written; the text says what stands in the way."""
 
 
-def write_folder(files: Mapping[str, str | bytes], folder: Path, manifest: str) -> None:
+def write_folder(
+    files: Mapping[str, str | bytes], folder: Path, manifest: str, force: bool = False
+) -> None:
     """Replace the folder by the files, as a whole or not at all.
 
-    Raises FolderError where the folder holds something that is not in its manifest, or cannot be
-    written.
+    Raises FolderError where the folder holds something that is not in its manifest, or without
+    force the files of another machine, or cannot be written.
     """
-    refuse_foreign(folder, manifest)
+    refuse_foreign(folder, manifest, manifest_of(files[manifest]).machines, force)
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         fresh = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
@@ -39,8 +43,13 @@ def write_folder(files: Mapping[str, str | bytes], folder: Path, manifest: str) 
         ) from None
 
 
-def refuse_foreign(folder: Path, manifest: str) -> None:
-    """A folder with other content than ours is left alone: FolderError."""
+def refuse_foreign(
+    folder: Path, manifest: str, machines: Sequence[str], force: bool = False
+) -> None:
+    """A folder with other content than ours is left alone: FolderError.
+
+    machines: names of those whose files shall be there. force: there may be those of others.
+    """
     if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
         raise FolderError(f"{folder}: is not a folder; --out takes a new or a generated folder")
     if not folder.exists():
@@ -52,21 +61,48 @@ def refuse_foreign(folder: Path, manifest: str) -> None:
             "--out takes a new, an empty or a generated folder"
         )
     if manifest in entries:
-        strangers = set(entries) - set(names_in(folder / manifest)) - {manifest}
+        found = read_manifest(folder / manifest)
+        strangers = set(entries) - found.files - {manifest}
         if strangers:
             raise FolderError(
                 f"{folder}: holds {min(strangers)!r}, which was not generated and would be lost; "
                 "move it away, or name another folder with --out"
             )
+        if not force:
+            refuse_other_machines(folder, found.machines, machines)
 
 
-def names_in(manifest: Path) -> list[str]:
-    """Files that a manifest lists."""
+def refuse_other_machines(folder: Path, found: Sequence[str], machines: Sequence[str]) -> None:
+    """Refuse to replace what was made for other machines: FolderError."""
+    if sorted(found) != sorted(machines):
+        here, wanted = (" and ".join(names) or "no machine" for names in (found, machines))
+        raise FolderError(
+            f"{folder}: holds the files of {here}, not of {wanted}; name another folder with"
+            " --out, or replace them with --force"
+        )
+
+
+class Manifest(NamedTuple):
+    """What a manifest tells: names of files, and of the machines that they are made for."""
+
+    files: set[str]
+    machines: list[str]
+
+
+def manifest_of(text: str | bytes) -> Manifest:
+    """The manifest in a text; ValueError, KeyError, TypeError where there is none."""
+    content = dict(json.loads(text))
+    names = content.get("machines") or [content.get("machine")]
+    return Manifest(set(content["files"]), [str(name) for name in names if name])
+
+
+def read_manifest(path: Path) -> Manifest:
+    """The manifest of a folder; FolderError for a file that is none."""
     try:
-        return list(json.loads(manifest.read_text())["files"])
+        return manifest_of(path.read_text())
     except (OSError, ValueError, KeyError, TypeError):
         raise FolderError(
-            f"{manifest}: is not a manifest of generated files; name another folder with --out"
+            f"{path}: is not a manifest of generated files; name another folder with --out"
         ) from None
 
 

@@ -143,6 +143,9 @@ def generate(machine: Machine) -> dict[str, str]:
     return render(model, measured_accuracy(model.machine, model.items()))
 
 
-def write(files: dict[str, str], folder: Path) -> None:
-    """Replace the folder by the files, as a whole or not at all; FolderError where it cannot be."""
-    write_folder(files, folder, MANIFEST)
+def write(files: dict[str, str], folder: Path, force: bool = False) -> None:
+    """Replace the folder by the files, as a whole or not at all; FolderError where it cannot be.
+
+    force: another machine's files are replaced too.
+    """
+    write_folder(files, folder, MANIFEST, force)

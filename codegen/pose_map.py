@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from turnbuckle.codegen.bind import REALS, Generated, pointer
 from turnbuckle.codegen.compile import compile_library
 from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import MachineError, Problem
 
 Reals = NDArray[np.floating[Any]]
 Doubles = NDArray[np.float64]
@@ -79,14 +80,24 @@ def target_grid(machine: Machine, columns: int, rows: int) -> Grid:
     )
 
 
+def refuse_without_quality(generated: Generated) -> None:
+    """Refuse a machine of a kind for which pose quality is not generated: MachineError."""
+    machine = generated.machine
+    if "pose_quality" not in generated.functions:
+        allowed = "planar-point, for a map of pose quality"
+        raise MachineError(machine.path, [Problem("machine.kind", machine.kind, allowed)])
+
+
 class PoseMap:
     """Maps of one machine in one precision.
 
-    Raises RuntimeError when the C struct is not laid out as this module believes.
+    Raises MachineError for a machine whose C has no pose quality, RuntimeError when the C struct is
+    not laid out as this module believes.
     """
 
     def __init__(self, generated: Generated) -> None:
         """Compile the loop around a machine's generated C, and load it."""
+        refuse_without_quality(generated)
         folder = generated.folder
         sources = [*sorted(folder.glob("*.c")), SHIM]
         library = compile_library(sources, [folder], generated.precision)

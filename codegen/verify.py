@@ -6,10 +6,9 @@ reference gets the very numbers the C got, in long double; codegen.judges says w
 and how nearly.
 """
 
-import multiprocessing
 import os
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -25,6 +24,7 @@ from turnbuckle.codegen.hard_cases import HardSampler
 from turnbuckle.codegen.judges import JUDGES
 from turnbuckle.codegen.judges.problem import Bools, Expected, Problem
 from turnbuckle.codegen.model import Model, build_model
+from turnbuckle.codegen.processes import forked_workers
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.model.machine import Machine, load_machine
 from turnbuckle.model.reference.control import disturbance_sequence
@@ -205,8 +205,7 @@ def judge_on_all_cores(bench: Bench, parts: list[Block], progress: Progress) -> 
     global _bench
     _bench = bench
     worst: list[Row] = []
-    context = multiprocessing.get_context("fork")
-    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), mp_context=context) as pool:
+    with forked_workers(len(os.sched_getaffinity(0))) as pool:
         for done, rows in enumerate(pool.map(judge_forked, parts)):
             worst = [a.joined(b) for a, b in zip(worst, rows, strict=True)] if done else rows
             progress("all functions", done + 1, len(parts))

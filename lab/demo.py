@@ -12,6 +12,7 @@ from rich.table import Table
 from turnbuckle.codegen.bind import Generated, load
 from turnbuckle.codegen.controller import UNCOMPENSATED, Controller
 from turnbuckle.lab.bench import Reals, Recording, run_task
+from turnbuckle.lab.pictures import refuse_foreign_picture
 from turnbuckle.lab.plots import draw
 from turnbuckle.lab.summary import Summary, summarise
 from turnbuckle.lab.task import Planner, Task
@@ -43,12 +44,14 @@ def run_demo(
     """Generate, compile and run a machine's controller on the bench; draw a picture into out_dir.
 
     Raises MachineError for a file that is wrong or not fit for the bench, CompileError without a
-    working C compiler, OSError when the picture cannot be written.
+    working C compiler, FileError when the picture cannot be written.
     """
     progress("generating the controller", 0.0)
-    plant = plant_of(load_machine(machine_path))
+    machine = load_machine(machine_path)
+    plant = plant_of(machine)
+    picture = Path(out_dir) / f"{machine.name}.png"
+    refuse_foreign_picture(picture)  # before the long work
     generated = load(machine_path)
-    machine = generated.machine
     task = plan_task(generated)
     controller = Controller(generated)
 
@@ -61,7 +64,6 @@ def run_demo(
         uncompensated = summarise(machine, run("without compensation", UNCOMPENSATED))
     nanoseconds = time_steps(controller, recording)
     progress("drawing", 0.0)
-    picture = Path(out_dir) / f"{machine.name}.png"
     draw(machine, recording, picture)
     summary = summarise(machine, recording)
     return DemoResult(machine, recording, summary, uncompensated, nanoseconds, picture)

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon, Rectangle
 
 from turnbuckle.lab.bench import Reals, Recording
+from turnbuckle.lab.pictures import write_picture
 from turnbuckle.lab.summary import penetration
 from turnbuckle.lab.task import Phase
 from turnbuckle.model.machine import Machine, Wall
@@ -33,7 +34,7 @@ STYLE: dict[Any, Any] = {
 
 
 def draw(machine: Machine, recording: Recording, path: Path) -> None:
-    """Draw a run into a PNG file of 1600 x 1000 pixels; OSError when it cannot be written."""
+    """Draw a run into a PNG file of 1600 x 1000 pixels; FileError when it cannot be written."""
     with rc_context(STYLE):
         figure = Figure(figsize=(16, 10), dpi=100, layout="constrained")
         rows = figure.add_gridspec(3, 2, height_ratios=[5.4, 1.5, 2.3], width_ratios=[1.5, 1])
@@ -46,8 +47,7 @@ def draw(machine: Machine, recording: Recording, path: Path) -> None:
         forces = figure.add_subplot(rows[1, :])
         draw_forces(forces, recording)
         draw_tensions(figure.add_subplot(rows[2, :], sharex=forces), machine, recording)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
+        write_picture(figure, path)
 
 
 def draw_machine(axes: Axes, machine: Machine, recording: Recording) -> None:

@@ -18,6 +18,10 @@ FAILED_CHECK, CANNOT, NOTHING_BETTER, INTERRUPTED = 1, 2, 3, 130
 
 MachineFile = Annotated[Path, typer.Argument(help="The machine file.", show_default=False)]
 
+Force = Annotated[
+    bool, typer.Option("--force", help="Replace the files of another machine in the folder.")
+]
+
 
 def fail(message: str, status: int = CANNOT) -> NoReturn:
     """Say why on stderr, and end."""

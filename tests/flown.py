@@ -28,12 +28,18 @@ size_t shim_read_out(const tb_recorder *recorder, unsigned char *out)
     size_t size = 0;
     tb_recorder_reader reader;
     tb_recorder_open(&reader, recorder);
-    for (tb_recorder_piece piece = tb_recorder_read(&reader); piece.size > 0;
-         piece = tb_recorder_read(&reader)) {
-        memcpy(&out[size], piece.bytes, piece.size);
-        size += piece.size;
+    for (;;) {
+        tb_recorder_piece piece = tb_recorder_read(&reader, tb_recorder_now(recorder));
+        int const ended = piece.size == 0;
+        if (ended) {
+            piece = tb_recorder_close(&reader);
+        }
+        memcpy(&out[piece.at], piece.bytes, piece.size);
+        size = (piece.at + piece.size > size) ? piece.at + piece.size : size;
+        if (ended) {
+            return size;
+        }
     }
-    return size;
 }
 """
 

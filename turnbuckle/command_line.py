@@ -4,6 +4,7 @@ Every command is in the command_line.py of its subject; here they become one pro
 behind a command are imported by that command alone, so that the quick ones are quick.
 """
 
+import errno
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -20,7 +21,7 @@ from turnbuckle.lab.live.command_line import monitor, run
 from turnbuckle.model.bus.command_line import bus
 from turnbuckle.model.command_line import check
 from turnbuckle.model.refusal import Refusal
-from turnbuckle.model.terminal import INTERRUPTED, fail
+from turnbuckle.model.terminal import CANNOT, INTERRUPTED, complain, fail
 from turnbuckle.version import VERSION
 
 app = typer.Typer(
@@ -40,6 +41,16 @@ def main() -> None:
         app()
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
+    except OSError as error:  # of --help and --version, which are no commands
+        complain(in_words(error))
+        sys.exit(CANNOT)
+
+
+def in_words(error: OSError) -> str:
+    """What is wrong with which file: a full one without a name is the standard output."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+    name = error.filename or ("standard output" if full else None)
+    return ": ".join(str(part) for part in (name, error.strerror or error) if part)
 
 
 def print_version(wanted: bool) -> None:
@@ -84,7 +95,7 @@ def errors_in_words() -> Iterator[None]:
     except KeyboardInterrupt:
         fail("interrupted", INTERRUPTED)
     except OSError as error:
-        fail(": ".join(str(part) for part in (error.filename, error.strerror or error) if part))
+        fail(in_words(error))
     except Refusal as refusal:
         fail(str(refusal))
 

@@ -25,14 +25,18 @@ POINTS = 60  # of an outline
 
 
 def analyze(
-    machine: Machine, folder: Path, lag: float, progress: Progress = lambda stage, share: None
+    machine: Machine,
+    folder: Path,
+    lag: float,
+    progress: Progress = lambda stage, share: None,
+    force: bool = False,
 ) -> Findings:
     """Look at a machine and write maps, numbers and report into a folder.
 
     lag [m]: how far bases are behind the hand in the maps of late bases. Raises FolderError when
-    the folder holds something else or cannot be written.
+    the folder holds something else, or without force another machine's, or cannot be written.
     """
-    refuse_foreign(folder, MANIFEST)  # before the long work rather than after it
+    refuse_foreign(folder, MANIFEST, [machine.name], force)  # before the long work
     findings = find(machine, lag, progress)
     pictures = draw_maps(findings, lag, progress)
     names = [REPORT, *(f"{quantity.name}.png" for quantity, _ in pictures)]
@@ -41,7 +45,7 @@ def analyze(
         REPORT: as_markdown(findings, [quantity for quantity, _ in pictures]),
     }
     files |= {f"{quantity.name}.png": png for quantity, png in pictures}
-    write_folder(files, folder, MANIFEST)
+    write_folder(files, folder, MANIFEST, force)
     return findings
 
 

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from turnbuckle.model.terminal import FAILED_CHECK, MachineFile, progress
+from turnbuckle.model.terminal import FAILED_CHECK, Force, MachineFile, progress
 
 
 def as_length(millimetres: float) -> float:
@@ -39,6 +39,7 @@ def analyze(
         ),
     ] = None,
     lag: Lag = 20.0,
+    force: Force = False,
 ) -> None:
     """Say whether a geometry is any good, before metal is cut.
 
@@ -59,7 +60,7 @@ def analyze(
 
     folder = out or Path("build/analysis") / machine.name
     with progress() as tell:
-        findings = look_at(machine, folder, lag / 1e3, tell)
+        findings = look_at(machine, folder, lag / 1e3, tell, force)
     show_rows(["", machine.name], rows(findings))
     typer.echo(f"{verdict(findings)}\nreport: {folder / 'report.md'}")
     if not findings.target.passed:
@@ -76,6 +77,7 @@ def compare(
         ),
     ] = None,
     lag: Lag = 20.0,
+    force: Force = False,
 ) -> None:
     """Say what changed between two machines, and what it did.
 
@@ -92,7 +94,7 @@ def compare(
     from turnbuckle.lab.analysis.compare import compare as put_side_by_side
 
     with progress() as tell:
-        comparison = put_side_by_side(machines, out, lag / 1e3, tell)
+        comparison = put_side_by_side(machines, out, lag / 1e3, tell, force)
     names = comparison.names
     show_rows(["changed key", *names], comparison.changes or [("nothing", "", "")])
     show_rows(["", *names, "change"], comparison.rows)

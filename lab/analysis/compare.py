@@ -41,19 +41,20 @@ def compare(
     folder: Path | None,
     lag: float,
     progress: Progress = lambda stage, share: None,
+    force: bool = False,
 ) -> Comparison:
     """Look at two machines; with a folder, write report, numbers and maps into it.
 
-    lag [m]: of late bases. Raises FolderError when the folder holds something else or cannot be
-    written.
+    lag [m]: of late bases. Raises FolderError when the folder holds something else, or without
+    force what is of other machines, or cannot be written.
     """
     if folder is not None:
-        refuse_foreign(folder, MANIFEST)
+        refuse_foreign(folder, MANIFEST, _names(machines), force)
     first, second = machines
     pair = find(first, lag, progress), find(second, lag, progress)
     result = Comparison(_names(machines), changed_keys(first, second), compared_rows(pair))
     if folder is not None:
-        write_folder(_files(result, pair, progress), folder, MANIFEST)
+        write_folder(_files(result, pair, progress), folder, MANIFEST, force)
     return result
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from io import BytesIO
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from matplotlib.patheffects import AbstractPathEffect, withStroke
 from matplotlib.ticker import MaxNLocator
 
 from turnbuckle.lab.analysis.slices import AXES, LagPanel, Panel, Slice
+from turnbuckle.lab.pictures import png_of
 from turnbuckle.lab.plots import FAINT, INK, MM, STYLE
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reference.control import base_targets
@@ -117,9 +117,7 @@ def draw(
         figure.suptitle(quantity.title, fontsize=11.5, fontweight="bold", **title)
         handles = list(_legend(quantity, panels, marks, outlines))
         figure.legend(handles=handles, loc="outside lower center", ncols=2 if columns == 1 else 3)
-        stream = BytesIO()
-        figure.savefig(stream, format="png", bbox_inches="tight", metadata={"Software": None})
-    return stream.getvalue()
+        return png_of(figure, bbox_inches="tight", metadata={"Software": None})
 
 
 def _size(panels: Sequence[AnyPanel], rows: int, columns: int) -> tuple[float, float]:

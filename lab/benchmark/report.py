@@ -17,6 +17,7 @@ from turnbuckle.lab.benchmark.step.comparison import StepRow
 from turnbuckle.lab.benchmark.table1 import Table1
 from turnbuckle.lab.benchmark.targets import Target
 from turnbuckle.lab.benchmark.tension import Row, TensionTable
+from turnbuckle.model.files import write_whole
 
 COUNTED = (
     "turnbuckle: bounds, status and self-check included; CasADi as documented: casadi_real=float;"
@@ -41,8 +42,7 @@ class Results:
 
 def write_json(results: Results, path: Path) -> None:
     """All numbers; times in ns, errors in SI units."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(asdict(results), indent=1) + "\n")
+    write_whole(path, json.dumps(asdict(results), indent=1) + "\n")
 
 
 def show(results: Results, console: Console) -> None:

@@ -73,7 +73,7 @@ def optimise(
     refuse_count(design)
     refuse_existing(path, force)
     found, tried = improved(design, search, seed)
-    from turnbuckle.lab.design.files import write_whole
+    from turnbuckle.model.files import write_whole
 
     write_whole(path, found.text)
     show_improvement(design, found)
@@ -189,8 +189,8 @@ def study(
 
 def conclude_study(design: Design, results: Results) -> None:
     """Say what was found, and write the best machine."""
-    from turnbuckle.lab.design.files import write_whole
     from turnbuckle.lab.design.improve import NoImprovement, improvement
+    from turnbuckle.model.files import write_whole
 
     refused = sum(kept.outcome.score is None for kept in results.kept.values())
     typer.echo(f"{results.folder}: {len(results.kept)} machines judged, {refused} cannot be")

@@ -1,4 +1,4 @@
-"""Files that are never left half-written."""
+"""Files that grow by whole lines."""
 
 import fcntl
 import os
@@ -6,23 +6,6 @@ from contextlib import suppress
 from pathlib import Path
 
 from turnbuckle.lab.design import DesignError
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Write a file as a whole or not at all; DesignError where it cannot be written."""
-    fresh = path.with_name(f".{path.name}-{os.getpid()}")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            with fresh.open("x", encoding="utf-8", newline="") as stream:
-                stream.write(text)
-                stream.flush()
-                os.fsync(stream.fileno())
-            fresh.replace(path)
-        finally:
-            fresh.unlink(missing_ok=True)
-    except OSError as error:
-        raise DesignError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 class Lines:

@@ -16,8 +16,9 @@ from typing import Any, NamedTuple
 
 from turnbuckle.lab.design import DesignError
 from turnbuckle.lab.design.design import Design, Outcome
-from turnbuckle.lab.design.files import Lines, write_whole
+from turnbuckle.lab.design.files import Lines
 from turnbuckle.lab.design.goal import Score
+from turnbuckle.model.files import write_whole
 from turnbuckle.model.problem import key_path
 
 QUESTION, RESULTS = "study.json", "results.csv"

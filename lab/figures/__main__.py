@@ -5,6 +5,7 @@ from pathlib import Path
 from turnbuckle.lab.figures import brau, yoon
 from turnbuckle.lab.figures.findings import Drawn, Finding
 from turnbuckle.lab.figures.table1 import table1
+from turnbuckle.model.files import write_whole
 from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[3]
@@ -63,7 +64,7 @@ def table(rows: list[Finding]) -> list[str]:
 
 def main() -> None:
     """Draw, write, say where."""
-    PAGE.write_text(page(draw_all()), encoding="utf-8")
+    write_whole(PAGE, page(draw_all()))
     print(f"{PAGE.relative_to(ROOT)} and the pictures in docs/figures")
 
 

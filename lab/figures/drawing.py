@@ -10,7 +10,9 @@ from matplotlib import colormaps, rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from turnbuckle.lab.pictures import png_of
 from turnbuckle.lab.plots import STYLE
+from turnbuckle.model.files import write_whole
 from turnbuckle.model.workspace.rows import Array
 
 FOLDER = Path(__file__).parents[3] / "docs" / "figures"
@@ -39,8 +41,7 @@ def picture(name: str, width: float, height: float) -> Iterator[Figure]:
     with rc_context(STYLE):
         figure = Figure(figsize=(width, height), dpi=110, layout="constrained")
         yield figure
-        FOLDER.mkdir(parents=True, exist_ok=True)
-        figure.savefig(FOLDER / name)
+        write_whole(FOLDER / name, png_of(figure))
 
 
 def cells(size: Sequence[float], counts: Sequence[int]) -> tuple[Array, ...]:

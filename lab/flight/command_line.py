@@ -1,11 +1,16 @@
 """The commands `replay` and `log`: what they take, what they print."""
 
+from __future__ import annotations
+
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turnbuckle.model.terminal import FAILED_CHECK
+from turnbuckle.model.terminal import FAILED_CHECK, complain
+
+if TYPE_CHECKING:
+    from turnbuckle.lab.flight.recording import Recording
 
 Dump = Annotated[Path, typer.Argument(help="What the flight recorder wrote.", show_default=False)]
 OfMachine = Annotated[
@@ -21,7 +26,8 @@ OfMachine = Annotated[
 def replay(dump: Dump, file: OfMachine = None) -> None:
     """Run a flight recording again, compare it to the bit.
 
-    Compiles the C of the machine file. Exit status 1 if an order differs from
+    Compiles the C of the machine file. A segment that was cut off cannot be
+    checked, and is not run. Exit status 1 if an order differs from
     the recorded one: then the program was not made from this C, or its
     processor or its memory was at fault.
 
@@ -34,13 +40,15 @@ def replay(dump: Dump, file: OfMachine = None) -> None:
 
     recording = read_recording(dump, file)
     found = run_again(recording)
+    warn_of_flaws(recording)
     total, segments = len(recording.numbers), len(recording.segments)
     typer.echo(
         f"{dump}: {recording.machine.name}, machine hash {recording.hash}, {recording.precision}:"
         f" {total} cycles in {segments} segments"
     )
     if found.difference is None:
-        typer.echo(f"all {found.matched} cycles ordered the same again, to the bit")
+        all_of_them = f"all {total}" if found.matched == total else f"{found.matched} of {total}"
+        typer.echo(f"{all_of_them} cycles ordered the same again, to the bit")
     else:
         typer.echo(f"{found.matched} cycles ordered the same; then {found.difference}")
         raise typer.Exit(FAILED_CHECK)
@@ -63,15 +71,21 @@ def log(
     """Turn a flight recording into a table, and a picture.
 
     A row for every control cycle; the names of the columns end in their unit.
+    Of a recording that was cut off or damaged the whole cycles are taken.
 
     \b
     Example:
       turnbuckle log flight.dump --out flight.parquet --plot flight.png
     """
     from turnbuckle.lab.flight.recording import read_recording
-    from turnbuckle.lab.flight.table import write_table
+    from turnbuckle.lab.flight.table import refuse_foreign_table, write_table
+    from turnbuckle.lab.pictures import refuse_foreign_picture
 
+    refuse_foreign_table(out)
+    if plot is not None:
+        refuse_foreign_picture(plot)
     recording = read_recording(dump, file)
+    warn_of_flaws(recording)
     write_table(recording, out)
     typer.echo(f"{out}: {len(recording.numbers)} cycles")
     if plot is not None:
@@ -79,3 +93,9 @@ def log(
 
         draw(recording, plot)
         typer.echo(f"picture: {plot}")
+
+
+def warn_of_flaws(recording: Recording) -> None:
+    """Say what is not in a recording."""
+    if recording.flaws:
+        complain(f"warning: {recording.path}: {'; '.join(recording.flaws)}")

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from turnbuckle.lab.flight.recording import Recording
 from turnbuckle.lab.flight.table import SUPERVISOR, along, in_words, times
 from turnbuckle.lab.flight.words import cause_names, words
+from turnbuckle.lab.pictures import write_picture
 from turnbuckle.lab.plots import CABLES, FAINT, INK, MM, STYLE
 
 DASHES: list[Any] = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1))]
@@ -30,7 +31,7 @@ LETTER = 0.012
 
 
 def draw(recording: Recording, path: Path) -> None:
-    """Draw a recording into a PNG file, as wide as a page's text; OSError where it cannot."""
+    """Draw a recording into a PNG file, as wide as a page's text; FileError where it cannot."""
     time, controller = times(recording), recording.cycles["orders"]["controller"]
     out = {name: where_it_runs(controller, name) for name in ("pose", "residual")}
     with rc_context(PAPER):
@@ -44,8 +45,7 @@ def draw(recording: Recording, path: Path) -> None:
         mark_cause(axes, recording, time)
         figure.align_ylabels()
         axes[-1].set(xlabel="time since the first recorded cycle [s]", xlim=(time[0], time[-1]))
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
+        write_picture(figure, path)
 
 
 def where_it_runs(out: NDArray[Any], name: str) -> NDArray[Any]:

@@ -6,7 +6,7 @@ FlightError that names the file, what was found and what is allowed.
 
 import re
 import zlib
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -23,8 +23,8 @@ from turnbuckle.places import MACHINES
 Layout = np.dtype[np.void]
 Records = NDArray[np.void]
 
-MAGIC, END_MAGIC = b"TBFLIGHT", b"TBLANDED"
-VERSION = 1
+MAGIC = b"TBFLIGHT"
+VERSION = 2
 BYTE_ORDER = 0x01020304
 PRECISIONS = {np.dtype(real).itemsize: name for name, real in REALS.items()}
 HEADER: Layout = np.dtype(
@@ -41,8 +41,10 @@ HEADER: Layout = np.dtype(
                 "observation_size",
                 "orders_size",
                 "cycle_size",
-                "segments",
+                "segment_size",
                 "segment_cycles",
+                "segments",
+                "ended",
             )
         ),
         ("machine", "S64"),
@@ -50,17 +52,22 @@ HEADER: Layout = np.dtype(
     ]
 )
 
-END: Layout = np.dtype([("magic", "S8"), ("checksum", np.uint32), ("reserved", np.uint32)])
-SEGMENT: Layout = np.dtype([("first", np.uint64), ("count", np.uint32), ("reserved", np.uint32)])
+SEGMENT: Layout = np.dtype([("first", np.uint64), ("count", np.uint32), ("checksum", np.uint32)])
+LARGEST_NUMBER = 1 << 62
+"""Of a cycle: no machine runs that long."""
 
 
 @dataclass(frozen=True)
 class Segment:
-    """Cycles without a gap. before: the supervisor's memory at the first, as bytes."""
+    """Cycles without a gap. before: the supervisor's memory at the first, as bytes.
+
+    whole: its checksum was right; without its end it has none.
+    """
 
     first: int
     before: NDArray[np.uint8]
     cycles: Records
+    whole: bool = True
 
     @property
     def numbers(self) -> NDArray[np.int64]:
@@ -70,13 +77,14 @@ class Segment:
 
 @dataclass(frozen=True)
 class Recording:
-    """A recording of a known machine, oldest segment first."""
+    """A recording of a known machine, oldest segment first. flaws: in words, what is not in it."""
 
     path: Path
     machine: Machine
     hash: str
     precision: str
     segments: list[Segment]
+    flaws: Sequence[str] = ()
 
     @property
     def cycles(self) -> Records:
@@ -92,7 +100,8 @@ class Recording:
 def read_recording(path: Path, file: Path | None = None) -> Recording:
     """Read a recording; without a machine file that of its name, here or among the stock ones.
 
-    Raises FlightError for what is no whole recording of this machine, OSError, MachineError.
+    Of a recording that was cut off or damaged that is read which is whole. Raises FlightError for
+    what is no recording of this machine or has no whole cycle, OSError, MachineError.
     """
     content = path.read_bytes()
     header = header_of(path, content)
@@ -101,16 +110,19 @@ def read_recording(path: Path, file: Path | None = None) -> Recording:
     precision = PRECISIONS[int(header["real_size"])]
     cycle = cycle_layout(machine, precision)
     refuse_other_sizes(path, header, cycle, machine)
-    segments = list(segments_of(path, content, header, cycle))
-    return Recording(path, machine, text(header, "hash"), precision, segments)
+    places = places_of(path, content, header)
+    segments, flaws = salvaged(places, cycle, len(content))
+    if not segments:
+        raise FlightError(f"{path}: {'; '.join(flaws) or 'nothing was recorded'}")
+    return Recording(path, machine, text(header, "hash"), precision, segments, flaws)
 
 
 def header_of(path: Path, content: bytes) -> Any:
-    """The header of a file that is whole."""
+    """The header of a file that a program of this version wrote."""
     if not content.startswith(MAGIC):
         raise FlightError(f"{path}: no flight recording: it does not begin with {MAGIC.decode()}")
     if len(content) < HEADER.itemsize:
-        raise truncated(path, content)
+        raise FlightError(f"{path}: cut off after {len(content)} bytes, before the first cycle")
     header = np.frombuffer(content, HEADER, 1)[0]
     if header["byte_order"] == np.uint32(BYTE_ORDER).byteswap():
         raise FlightError(
@@ -121,36 +133,14 @@ def header_of(path: Path, content: bytes) -> Any:
             f"{path}: a recording of version {header['version']}; allowed: {VERSION}, of the"
             " turnbuckle that wrote it"
         )
-    refuse_damage(path, content)
     if int(header["real_size"]) not in PRECISIONS:
         raise FlightError(f"{path}: real numbers of {header['real_size']} bytes; allowed: 4 or 8")
     return header
 
 
-def refuse_damage(path: Path, content: bytes) -> None:
-    """Refuse a file without its end, or with other bytes than were written."""
-    if len(content) < HEADER.itemsize + END.itemsize:
-        raise truncated(path, content)
-    end = np.frombuffer(content[-END.itemsize :], END)[0]
-    if end["magic"] != END_MAGIC:
-        raise truncated(path, content)
-    if zlib.crc32(content[: -END.itemsize]) != end["checksum"]:
-        raise FlightError(
-            f"{path}: damaged: its checksum is not that of its content; copy it again"
-        )
-
-
-def truncated(path: Path, content: bytes) -> FlightError:
-    """The refusal of a file that does not end as a recording does."""
-    return FlightError(
-        f"{path}: cut off after {len(content)} bytes: the end of the recording is missing;"
-        " copy it again"
-    )
-
-
 def text(header: Any, name: str) -> str:
     """A text of the header."""
-    return bytes(header[name]).decode("ascii", errors="replace")
+    return bytes(header[name]).decode("ascii", errors="backslashreplace")
 
 
 def machine_file(path: Path, name: str) -> Path:
@@ -166,7 +156,7 @@ def refuse_other_name(path: Path, header: Any, machine: Machine) -> None:
     """Refuse a machine file of another machine."""
     name = text(header, "machine")
     if name != machine.name:
-        raise FlightError(f"{path}: of machine {name}; {machine.path} is {machine.name}")
+        raise FlightError(f"{path}: of machine {name!r}; {machine.path} is {machine.name!r}")
 
 
 def refuse_other_sizes(path: Path, header: Any, cycle: Layout, machine: Machine) -> None:
@@ -180,26 +170,95 @@ def refuse_other_sizes(path: Path, header: Any, cycle: Layout, machine: Machine)
         )
 
 
-def segments_of(path: Path, content: bytes, header: Any, cycle: Layout) -> Iterator[Segment]:
-    """The segments between header and end."""
-    at, end = HEADER.itemsize, len(content) - END.itemsize
-    head, memory = int(header["head_size"]), int(header["supervisor_size"])
-    for _ in range(int(header["segments"])):
-        if at + head > end:
-            raise inconsistent(path)
-        first, count, _ = np.frombuffer(content, SEGMENT, 1, at)[0]
-        before = np.frombuffer(content, np.uint8, memory, at + SEGMENT.itemsize)
-        if count > header["segment_cycles"] or at + head + int(count) * cycle.itemsize > end:
-            raise inconsistent(path)
-        yield Segment(int(first), before, np.frombuffer(content, cycle, int(count), at + head))
-        at += head + int(count) * cycle.itemsize
-    if at != end:
-        raise inconsistent(path)
+@dataclass(frozen=True)
+class Places:
+    """Where the segments are in the bytes of a file."""
+
+    content: bytes
+    head: int
+    """Bytes of a segment before its cycles."""
+    memory: int
+    """Bytes of the supervisor's memory among these."""
+    size: int
+    """Bytes of a segment."""
+    cycles: int
+    """Most in a segment."""
+    used: int
+    ended: bool
 
 
-def inconsistent(path: Path) -> FlightError:
-    """The refusal of a file whose numbers contradict its size."""
-    return FlightError(f"{path}: damaged: its segments do not fill it")
+def places_of(path: Path, content: bytes, header: Any) -> Places:
+    """The places that a header tells of; FlightError where its numbers contradict each other."""
+    head, memory, size, cycle, cycles = (
+        int(header[name])
+        for name in (
+            "head_size",
+            "supervisor_size",
+            "segment_size",
+            "cycle_size",
+            "segment_cycles",
+        )
+    )
+    if head < SEGMENT.itemsize or size < head + cycles * cycle or not cycles:
+        raise FlightError(
+            f"{path}: damaged: {cycles} cycles of {cycle} bytes behind {head} bytes do not fit into"
+            f" the {size} bytes of a segment, as its header says"
+        )
+    memory = min(memory, head - SEGMENT.itemsize)
+    used, ended = int(header["segments"]), bool(header["ended"])
+    return Places(content, head, memory, size, cycles, used, ended)
+
+
+def salvaged(places: Places, cycle: Layout, size: int) -> tuple[list[Segment], list[str]]:
+    """What is whole of all segments, oldest first; and in words what is not."""
+    found: list[Segment] = []
+    cut = damaged = 0
+    begins = range(HEADER.itemsize, HEADER.itemsize + places.used * places.size, places.size)
+    for number, at in enumerate(begins):
+        if at >= size:
+            cut += places.used - number
+            break
+        segment = segment_at(places, cycle, at)
+        cut += segment is not None and not segment.whole
+        damaged += segment is None
+        if segment is not None and len(segment.cycles):
+            found.append(segment)
+    flaws = []
+    if cut:
+        flaws.append(f"cut off after {size} bytes: {some(cut, 'segment')} not whole, or not there")
+    if damaged:
+        flaws.append(f"damaged: {some(damaged, 'segment')} left out")
+    if not places.ended:
+        flaws.append("it was not ended: the program still runs, or was killed with its writer")
+    return sorted(found, key=lambda segment: segment.first), flaws
+
+
+def some(count: int, what: str) -> str:
+    """A number of things, with its verb."""
+    return f"{count} {what} is" if count == 1 else f"{count} {what}s are"
+
+
+def segment_at(places: Places, cycle: Layout, at: int) -> Segment | None:
+    """The whole cycles of the segment that begins there; None where it is damaged."""
+    content, begin = places.content, at + places.head
+    if begin > len(content):
+        return Segment(0, np.zeros(0, np.uint8), np.zeros(0, cycle), whole=False)
+    first, count, checksum = np.frombuffer(content, SEGMENT, 1, at)[0].tolist()
+    if count > places.cycles or first > LARGEST_NUMBER:
+        return None
+    there = min(count, (len(content) - begin) // cycle.itemsize)
+    end = begin + there * cycle.itemsize
+    if there == count and checksum_of(content, at, end) != checksum:
+        return None
+    before = np.frombuffer(content, np.uint8, places.memory, at + SEGMENT.itemsize)
+    return Segment(first, before, np.frombuffer(content, cycle, there, begin), there == count)
+
+
+def checksum_of(content: bytes, at: int, end: int) -> int:
+    """CRC-32 of a segment: memory and cycles, then the number of the first and the count."""
+    view = memoryview(content)
+    head = view[at : at + SEGMENT.fields["checksum"][1]]  # type: ignore[index]
+    return zlib.crc32(head, zlib.crc32(view[at + SEGMENT.itemsize : end]))
 
 
 def cycle_layout(machine: Machine, precision: str) -> Layout:

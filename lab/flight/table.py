@@ -1,8 +1,9 @@
 """A recording as a table: a row a cycle, columns with their units, states and causes in words."""
 
 from collections.abc import Callable, Iterator, Sequence
+from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pyarrow as pa
@@ -13,9 +14,23 @@ from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import Recording
 from turnbuckle.lab.flight.words import cause_names, words
 from turnbuckle.model.bus.axis import drive_names
+from turnbuckle.model.files import refuse_foreign_file, write_whole
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Status
 
+
+class Writer(NamedTuple):
+    """How a table is written, and what of it tells that it is ours."""
+
+    write: Callable[[pa.Table, BytesIO], None]
+    mark: bytes
+
+
+METADATA = {"turnbuckle": "a flight recording"}
+WRITERS = {
+    ".csv": Writer(csv.write_csv, b'"cycle","time_s","state"'),
+    ".parquet": Writer(parquet.write_table, b"a flight recording"),
+}
 Column = NDArray[Any]
 Columns = Iterator[tuple[str, Column]]
 
@@ -25,16 +40,19 @@ REQUESTS = {1: "arm", 2: "stop", 4: "reset"}
 
 
 def write_table(recording: Recording, path: Path) -> None:
-    """Write the table as CSV or Parquet, as the name of the file ends; OSError where it cannot."""
-    writers: dict[str, Callable[[pa.Table, Path], None]] = {
-        ".csv": csv.write_csv,
-        ".parquet": parquet.write_table,
-    }
-    if path.suffix not in writers:
-        raise FlightError(f"{path}: ends in {path.suffix!r}; allowed: {', '.join(writers)}")
-    found = pa.table({name: pa.array(column) for name, column in columns(recording)})
-    path.parent.mkdir(parents=True, exist_ok=True)
-    writers[path.suffix](found, path)
+    """Write the table as CSV or Parquet, as its name ends; FileError where it cannot."""
+    refuse_foreign_table(path)
+    content = {name: pa.array(column) for name, column in columns(recording)}
+    stream = BytesIO()
+    WRITERS[path.suffix].write(pa.table(content).replace_schema_metadata(METADATA), stream)
+    write_whole(path, stream.getvalue())
+
+
+def refuse_foreign_table(path: Path) -> None:
+    """Refuse a name that ends otherwise, and to replace what is no such table."""
+    if path.suffix not in WRITERS:
+        raise FlightError(f"{path}: ends in {path.suffix!r}; allowed: {', '.join(WRITERS)}")
+    refuse_foreign_file(path, WRITERS[path.suffix].mark)
 
 
 def columns(recording: Recording) -> Columns:

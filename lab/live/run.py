@@ -1,6 +1,5 @@
 """Runs a machine's program, with real adapters or with simulated drives, and tells what it does."""
 
-import ctypes
 import os
 import signal
 import subprocess
@@ -8,9 +7,11 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
+from turnbuckle.codegen.processes import hear_of_death
 from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.identity import refuse_other
@@ -25,8 +26,6 @@ POLL = 0.05
 LOOKED_BACK = 2048
 """Cycles that are read at most in one look."""
 Say = Callable[[str], None]
-SET_DEATH_SIGNAL = 1
-"""PR_SET_PDEATHSIG of prctl(2)"""
 FAULT = "FAULT"
 
 
@@ -110,15 +109,10 @@ def start(program: Path, words: Sequence[str]) -> "subprocess.Popen[bytes]":
 
     When this process dies, the program stops softly: nobody would watch it any more.
     """
-    libc = ctypes.CDLL(None)
-
-    def stop_with_parent() -> None:
-        libc.prctl(SET_DEATH_SIGNAL, signal.SIGTERM)
-
     return subprocess.Popen(
         [program, *words],
         process_group=0,
-        preexec_fn=stop_with_parent,
+        preexec_fn=partial(hear_of_death, signal.SIGTERM),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,

@@ -15,11 +15,14 @@ from numpy.typing import ArrayLike, NDArray
 from turnbuckle.lab.live import LiveError, NothingYetError
 
 FOLDER = Path("/dev/shm")
-MAGIC, VERSION = b"TBTELEM\0", 2
-NAME, TEXT = 32, 320
+MAGIC, VERSION = b"TBTELEM\0", 3
+NAME, TEXT = 32, 1024
+LARGEST_COUNT = 4096
+"""Of anything that a header counts but bytes and cycles: no machine has as many."""
 ATTEMPTS = 10_000
 """How often a copy is tried again that was written meanwhile; one writing takes about 1 us."""
 
+SIZES = ("dof", "cables", "drives", "buses")
 Record = np.void
 Request = Literal["arm", "stop", "reset"]
 
@@ -158,8 +161,7 @@ class Telemetry:
             os.close(self._file)
             raise nothing_yet(path) from None
         self.counts = self._counts()
-        layout = layout_of(self.counts)
-        self._check(layout)
+        layout = self._layout()
         self.names = self._part(layout.names, COUNTS.itemsize)[0].copy()
         self._status = self._part(layout.status, self._at("status"))
         self._cycles = self._part(layout.cycle, self._at("cycles"), int(self.counts["slots"]))
@@ -178,6 +180,17 @@ class Telemetry:
                 " that of this turnbuckle: build the program anew"
             )
         return counts
+
+    def _layout(self) -> Layout:
+        """The parts of the file, which are where this module believes that they are."""
+        for name, least in (("bins", 2), ("rails", 1), *((name, 1) for name in SIZES)):
+            if not least <= int(self.counts[name]) <= LARGEST_COUNT:
+                raise foreign(self.path, f"{name} = {self.counts[name]}")
+        if not int(self.counts["slots"]):
+            raise foreign(self.path, "slots = 0")
+        layout = layout_of(self.counts)
+        self._check(layout)
+        return layout
 
     def _at(self, part: str) -> int:
         return int(self.counts[f"{part}_at"])
@@ -200,26 +213,28 @@ class Telemetry:
         for name, bytes_ in believed.items():
             if int(counts[name]) != bytes_:
                 raise foreign(self.path, f"{name} = {counts[name]} where {bytes_} is due")
+        if (due := believed["inbox_at"] + layout.inbox.itemsize) != len(self._memory):
+            raise foreign(self.path, f"{len(self._memory)} bytes where {due} are due")
 
     @property
     def machine(self) -> str:
         """Name of the machine that the program controls."""
-        return str(self.counts["machine"].decode())
+        return str(self.counts["machine"].decode(errors="backslashreplace"))
 
     @property
     def hash(self) -> str:
         """Hash of the machine that the program controls."""
-        return str(self.counts["hash"].decode())
+        return str(self.counts["hash"].decode(errors="backslashreplace"))
 
     @property
     def drive_names(self) -> list[str]:
         """Names of the drives: cable drives, then base drives."""
-        return [name.decode() for name in self.names["drives"]]
+        return [name.decode(errors="backslashreplace") for name in self.names["drives"]]
 
     @property
     def bus_names(self) -> list[str]:
         """Names of the buses."""
-        return [name.decode() for name in self.names["buses"]]
+        return [name.decode(errors="backslashreplace") for name in self.names["buses"]]
 
     @property
     def ended(self) -> bool:
@@ -242,10 +257,13 @@ class Telemetry:
 
     def latest(self) -> Record | None:
         """The last control cycle; None before the first."""
-        while published := int(self.status()["published"]):
+        for _ in range(ATTEMPTS):
+            published = int(self.status()["published"])
+            if not published:
+                return None
             if (record := self.cycle(published - 1)) is not None:
                 return record
-        return None
+        raise LiveError(f"{self.path}: its last cycle is not there")
 
     def _whole(self, part: NDArray[Any], at: int) -> Record:
         """A copy that nobody wrote to meanwhile."""

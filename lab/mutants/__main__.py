@@ -13,6 +13,7 @@ from turnbuckle.lab.mutants.report import REPORT, judge, report
 from turnbuckle.lab.mutants.run import UnchangedFails, unchanged_passes, verdicts
 from turnbuckle.lab.mutants.suites import every_test
 from turnbuckle.lab.mutants.trial import Verdict, prepare
+from turnbuckle.model.files import write_whole
 
 COUNT, SEED, PROCESSES = 220, 2026, 2
 
@@ -30,7 +31,7 @@ def main() -> int:
         console.print(f"{error}: mend that first.")
         return 1
     results = tried(count, console)
-    REPORT.write_text(report(results))
+    write_whole(REPORT, report(results))
     complaints = judge(results)
     for complaint in complaints:
         console.print(complaint, markup=False, highlight=False)

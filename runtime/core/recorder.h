@@ -6,15 +6,15 @@
  * of its length and then holds still, until the fault has been reset: the cause stays in it, however
  * long the machine waits for somebody. A stop that was asked for is none.
  *
- * Pure: no input or output, no heap. A port that has stopped its cycles reads the recording out piece
- * by piece and writes it wherever it can; the pieces one after the other are a recording file:
+ * Pure: no input or output, no heap. A port reads the recording out piece by piece, and writes each
+ * to its place in a file: after the last cycle all of them, or ever again those that have come since.
  *
  *   tb_recording_header
- *   tb_segment, oldest first, cut behind its last cycle
- *   tb_recording_end
+ *   tb_segment          TB_RECORDER_SEGMENTS places, the newest segment in the place of the oldest
  *
- * All are the C structs of the machine that recorded, with its byte order and its real_t; the header
- * tells their sizes, so that a reader refuses what it would misread. lab/recording.py is a reader. */
+ * A segment has a checksum of its own, so that what was written before a failure can be used. All are
+ * the C structs of the machine that recorded, with its byte order and its real_t; the header tells
+ * their sizes, so that a reader refuses what it would misread. lab/flight/recording.py is a reader. */
 #ifndef TB_RECORDER_H
 #define TB_RECORDER_H
 
@@ -35,8 +35,7 @@
 #endif
 
 #define TB_RECORDING_MAGIC "TBFLIGHT"
-#define TB_RECORDING_END_MAGIC "TBLANDED"
-#define TB_RECORDING_VERSION 1u
+#define TB_RECORDING_VERSION 2u
 #define TB_RECORDING_BYTE_ORDER 0x01020304u
 #define TB_RECORDING_NAME 64 /* bytes, filled up with 0 */
 
@@ -46,11 +45,17 @@ typedef struct {
     tb_orders orders;
 } tb_recorded_cycle;
 
-/** Cycles without a gap, and the memory that the first one started from. */
+/** What is in a segment. */
 typedef struct {
     uint64_t first; /* number of the first cycle; skipped ones are not counted */
-    uint32_t count; /* cycles in here */
-    uint32_t reserved;
+    uint32_t count; /* cycles */
+    uint32_t
+        checksum; /* in a file: CRC-32 (as in zip) of memory, cycles, first and count; here 0 */
+} tb_segment_head;
+
+/** Cycles without a gap, and the memory that the first one started from. */
+typedef struct {
+    tb_segment_head head;
     tb_supervisor before;
     tb_recorded_cycle cycles[TB_SEGMENT_CYCLES];
 } tb_segment;
@@ -74,18 +79,13 @@ typedef struct {
     uint32_t observation_size;
     uint32_t orders_size;
     uint32_t cycle_size;     /* of tb_recorded_cycle */
-    uint32_t segments;       /* in this recording */
+    uint32_t segment_size;   /* of tb_segment */
     uint32_t segment_cycles; /* most in a segment */
+    uint32_t segments;       /* places in use */
+    uint32_t ended;          /* 1: all that was recorded is here; 0 while more may come */
     char machine[TB_RECORDING_NAME];
     char hash[TB_RECORDING_NAME];
 } tb_recording_header;
-
-/** Last piece of a recording. */
-typedef struct {
-    char magic[8];
-    uint32_t checksum; /* CRC-32 (as in zip) of everything before this piece */
-    uint32_t reserved;
-} tb_recording_end;
 
 /** Forget everything. The next cycle is number 0 and starts from the supervisor's memory as it is. */
 void tb_recorder_start(tb_recorder *recorder, const tb_supervisor *supervisor);
@@ -95,25 +95,42 @@ void tb_recorder_start(tb_recorder *recorder, const tb_supervisor *supervisor);
 void tb_recorder_keep(tb_recorder *recorder, const tb_observation *seen, const tb_orders *orders,
                       const tb_supervisor *supervisor);
 
+/** How far a recorder is: what was recorded up to here does not change until the ring comes round. */
+typedef struct {
+    uint32_t opened; /* segments since the start */
+    uint32_t count;  /* cycles in the newest */
+} tb_recorder_mark;
+
+/** How far it is now. */
+tb_recorder_mark tb_recorder_now(const tb_recorder *recorder);
+
 /** Reading a recording out. */
 typedef struct {
     const tb_recorder *recorder;
-    uint32_t next; /* piece */
-    uint32_t checksum;
+    uint32_t segment;  /* that is read, since the start */
+    uint32_t cycles;   /* of it that were read */
+    uint32_t checksum; /* of its memory and these */
+    uint32_t stage;
     tb_recording_header header;
-    tb_recording_end end;
+    tb_segment_head head;
 } tb_recorder_reader;
 
-/** A piece of a recording; it lives as long as the reader, and no cycle may be kept meanwhile. */
+/** A piece of a recording; it lives until the next one is read. */
 typedef struct {
     const void *bytes;
     size_t size; /* 0: there is none left */
+    size_t at;   /* where in the file it belongs */
 } tb_recorder_piece;
 
 /** Begin to read a recorder out. */
 void tb_recorder_open(tb_recorder_reader *reader, const tb_recorder *recorder);
 
-/** The next piece, until none is left. */
-tb_recorder_piece tb_recorder_read(tb_recorder_reader *reader);
+/** The next piece of what was recorded up to a mark and was not read yet, until none is left.
+ *  Cycles may be kept meanwhile, by another thread: a segment that the ring overtakes while it is
+ *  read has the wrong checksum then. */
+tb_recorder_piece tb_recorder_read(tb_recorder_reader *reader, tb_recorder_mark mark);
+
+/** The last piece, after which nothing is to be read: that all is here. */
+tb_recorder_piece tb_recorder_close(tb_recorder_reader *reader);
 
 #endif

@@ -4,10 +4,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from unicorn import UcError
 
 from turnbuckle.lab.benchmark.cortex_m4.build import program
 from turnbuckle.lab.benchmark.cortex_m4.comparison import COMMON, CountRow, count_instructions
-from turnbuckle.lab.benchmark.cortex_m4.emulator import Emulator
+from turnbuckle.lab.benchmark.cortex_m4.emulator import DATA, Emulator
 from turnbuckle.model.machine import load_machine
 
 ROOT = Path(__file__).parents[2]
@@ -23,6 +24,9 @@ __attribute__((naked)) void loop(void)
 {
     __asm volatile("1: subs r0, #1\\n bne 1b\\n bx lr");
 }
+__attribute__((naked)) void acquire(void) { __asm volatile(".inst.w 0xE8D10FAF\\n bx lr"); }
+__attribute__((naked)) void maximum(void) { __asm volatile(".inst.w 0xFE800A20\\n bx lr"); }
+__attribute__((naked)) void twice(void) { __asm volatile(".inst.w 0xEE300B00\\n bx lr"); }
 void spin(void) { for (;;) { __asm volatile("nop"); } }
 void sum(const float a[], const float b[], int n, float *total, const float *scale)
 {
@@ -59,6 +63,15 @@ def test_instructions_are_counted_as_they_run(
     emulator: Emulator, function: str, argument: int, instructions: int
 ) -> None:
     assert emulator.call(function, argument) == instructions
+
+
+@pytest.mark.parametrize("function", ["acquire", "maximum", "twice"])
+def test_an_instruction_that_a_cortex_m4_lacks_is_refused(
+    emulator: Emulator, function: str
+) -> None:
+    """LDA r0, [r1] and VMAXNM.F32 of a Cortex-M33, VADD.F64 of a Cortex-M7."""
+    with pytest.raises(UcError, match="Invalid instruction"):
+        emulator.call(function, 0, DATA)
 
 
 def test_single_precision_is_that_of_the_host(emulator: Emulator) -> None:

@@ -12,6 +12,7 @@ import turnbuckle.codegen.folder
 import turnbuckle.codegen.generate
 from turnbuckle.command_line import app
 from turnbuckle.lab.analysis import plots, slices
+from turnbuckle.model.machine import Machine
 
 ROOT = Path(__file__).parents[2]
 GOOD, BAD = (ROOT / "machines" / f"{name}.toml" for name in ("brau_square", "yoon_fixed_diagonal"))
@@ -173,8 +174,13 @@ def test_compare_refuses_a_bad_machine_file_with_its_key(which: int, tmp_path: P
 @pytest.fixture
 def quick_c(monkeypatch: pytest.MonkeyPatch) -> None:
     """Generation takes no time."""
-    files = {turnbuckle.codegen.generate.MANIFEST: '{"hash": "0", "functions": {}, "aliases": {}}'}
-    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", lambda machine: files)
+
+    def manifest(machine: Machine) -> dict[str, str]:
+        parts: dict[str, object] = {name: {} for name in ("functions", "aliases", "files")}
+        content = {"machine": machine.name, "hash": "0", **parts}
+        return {turnbuckle.codegen.generate.MANIFEST: json.dumps(content)}
+
+    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", manifest)
 
 
 @pytest.mark.usefixtures("quick_c")

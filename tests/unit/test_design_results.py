@@ -11,7 +11,7 @@ import pytest
 
 from turnbuckle.lab.design import DesignError
 from turnbuckle.lab.design.design import Design, Outcome
-from turnbuckle.lab.design.files import Lines, write_whole
+from turnbuckle.lab.design.files import Lines
 from turnbuckle.lab.design.goal import Score
 from turnbuckle.lab.design.results import Kept, Results
 
@@ -153,15 +153,6 @@ def test_damaged_results_are_refused_and_left_alone(
     with pytest.raises(DesignError, match="is damaged"):
         Results(tmp_path, design, {"seed": 0})
     assert (tmp_path / "results.csv").read_text() == damage
-
-
-def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
-    path = tmp_path / "new" / "machine.toml"
-    write_whole(path, "old\n")
-    with files_no_longer_than(100), pytest.raises(DesignError, match="File too large"):
-        write_whole(path, "new\n" * 100)
-    assert path.read_text() == "old\n"
-    assert list(path.parent.iterdir()) == [path]
 
 
 def test_lines_are_with_the_system_at_once(tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 import csv
 import ctypes
 import struct
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -18,11 +17,11 @@ from turnbuckle.codegen.compile import compile_library
 from turnbuckle.command_line import app
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import (
-    END,
     HEADER,
     SEGMENT,
     Layout,
     Recording,
+    checksum_of,
     cycle_layout,
     read_recording,
 )
@@ -79,11 +78,15 @@ def supervisor() -> Supervisor:
     return Supervisor(library_file())
 
 
-def sealed(content: bytes) -> bytes:
-    """A changed recording with the right checksum."""
-    body = content[: -END.itemsize]
-    end = content[-END.itemsize :]
-    return body + end[:8] + struct.pack("<I", zlib.crc32(body)) + end[12:]
+def sealed(content: bytes, segment: int) -> bytes:
+    """A changed recording with the right checksum of a segment."""
+    header = np.frombuffer(content, HEADER, 1)[0]
+    at = HEADER.itemsize + segment * int(header["segment_size"])
+    count = int(np.frombuffer(content, SEGMENT, 1, at)[0]["count"])
+    end = at + int(header["head_size"]) + count * int(header["cycle_size"])
+    changed = bytearray(content)
+    struct.pack_into("<I", changed, at + 12, checksum_of(content, at, end))
+    return bytes(changed)
 
 
 def test_a_recording_is_read_as_it_was_recorded(recording: Recording) -> None:
@@ -114,7 +117,7 @@ def test_every_order_is_the_same_again_to_the_bit(
 PLACES = """
 #include "recorder.h"
 size_t places[] = {
-    sizeof(tb_recording_header), sizeof(tb_recording_end), sizeof(tb_recorded_cycle),
+    sizeof(tb_recording_header), sizeof(tb_recorded_cycle),
     sizeof(tb_drive_report), sizeof(tb_drive_order), offsetof(tb_segment, before),
     offsetof(tb_drive_report, fresh), offsetof(tb_drive_report, detail),
     offsetof(tb_observation, force), offsetof(tb_observation, missed),
@@ -135,7 +138,7 @@ def test_the_layouts_are_those_of_the_c(precision: str, tmp_path: Path) -> None:
     seen, orders = cycle["seen"], cycle["orders"]
     report, order = seen["drives"].base, orders["drives"].base
     wanted = [
-        *(layout.itemsize for layout in (HEADER, END, cycle, report, order, SEGMENT)),
+        *(layout.itemsize for layout in (HEADER, cycle, report, order, SEGMENT)),
         *(place(report, name) for name in ("fresh", "detail")),
         *(place(seen, name) for name in ("force", "missed")),
         *(place(orders, name) for name in ("controller", "slack", "cause", "detail")),
@@ -235,36 +238,128 @@ def test_the_ring_keeps_the_last_cycles_and_holds_still_after_a_fault(
         assert run_again(one, supervisor).matched == len(one.numbers)
 
 
-def test_a_recording_cut_anywhere_is_refused(content: bytes, tmp_path: Path) -> None:
+def bytes_of(recording: Recording) -> bytes:
+    """The cycles as they are in the file."""
+    return b"".join(segment.cycles.tobytes() for segment in recording.segments)
+
+
+def test_of_a_recording_cut_anywhere_every_whole_cycle_is_read(
+    content: bytes, recording: Recording, supervisor: Supervisor, tmp_path: Path
+) -> None:
+    header = np.frombuffer(content, HEADER, 1)[0]
+    head, size, cycle = (int(header[f"{n}_size"]) for n in ("head", "segment", "cycle"))
+    first = HEADER.itemsize + head
     path = tmp_path / "cut.dump"
-    for size in (8, 100, HEADER.itemsize, 5000, len(content) // 2, len(content) - 1):
-        path.write_bytes(content[:size])
-        with pytest.raises(FlightError, match=f"cut off after {size} bytes"):
-            read_recording(path, MACHINE)
+    random = np.random.default_rng(2)
+    anywhere = random.integers(first + cycle, len(content), 9)
+    for cut in (first + cycle, first + size, len(content) // 2, *anywhere):
+        path.write_bytes(content[: int(cut)])
+        found = read_recording(path, MACHINE)
+        places, rest = divmod(int(cut) - HEADER.itemsize, size)
+        whole = places * SEGMENT_CYCLES + max(0, min(SEGMENT_CYCLES, (rest - head) // cycle))
+        whole = min(whole, len(recording.numbers))
+        assert np.array_equal(found.numbers, recording.numbers[:whole])
+        assert bytes_of(found) == bytes_of(recording)[: whole * cycle]
+        assert f"cut off after {cut} bytes: " in found.flaws[0] or whole == len(recording.numbers)
+        again = run_again(found, supervisor)
+        assert again.difference is None
+        assert whole - SEGMENT_CYCLES < again.matched <= whole
 
 
-def test_a_damaged_recording_is_refused(content: bytes, tmp_path: Path) -> None:
-    path, random = tmp_path / "damaged.dump", np.random.default_rng(1)
-    for place in random.integers(HEADER.itemsize, len(content) - END.itemsize, 5):
+@pytest.mark.parametrize("size", [8, 100, HEADER.itemsize, HEADER.itemsize + 20, 4800])
+def test_a_recording_without_a_whole_cycle_is_refused(
+    content: bytes, tmp_path: Path, size: int
+) -> None:
+    path = tmp_path / "cut.dump"
+    path.write_bytes(content[:size])
+    with pytest.raises(FlightError, match=f"cut off after {size} bytes"):
+        read_recording(path, MACHINE)
+
+
+def test_a_damaged_segment_is_left_out_and_the_others_are_read(
+    content: bytes, recording: Recording, tmp_path: Path
+) -> None:
+    path = tmp_path / "damaged.dump"
+    header = np.frombuffer(content, HEADER, 1)[0]
+    for place in (0, 9, 13, 20, int(header["head_size"]) + 100_000):
         damaged = bytearray(content)
-        damaged[place] ^= 1 << int(random.integers(8))
+        damaged[HEADER.itemsize + 3 * int(header["segment_size"]) + place] ^= 0x10
         path.write_bytes(damaged)
-        with pytest.raises(FlightError, match="checksum"):
-            read_recording(path, MACHINE)
+        found = read_recording(path, MACHINE)
+        assert found.flaws == ["damaged: 1 segment is left out"]
+        kept = recording.numbers // SEGMENT_CYCLES != 3
+        assert np.array_equal(found.numbers, recording.numbers[kept])
+
+
+def test_a_recording_that_was_not_ended_says_so(content: bytes, tmp_path: Path) -> None:
+    header = np.frombuffer(content, HEADER, 1).copy()
+    header["ended"] = 0
+    path = tmp_path / "live.dump"
+    path.write_bytes(header.tobytes() + content[HEADER.itemsize :])
+    assert "the program still runs, or was killed" in read_recording(path, MACHINE).flaws[0]
+
+
+def spoilt_at_random(content: bytes, random: np.random.Generator) -> bytes:
+    """A recording with flipped bits, in its header or elsewhere, and cut off perhaps."""
+    spoilt = bytearray(content)
+    for _ in range(random.integers(1, 4)):
+        most = HEADER.itemsize if random.random() < 0.6 else len(spoilt)
+        spoilt[random.integers(most)] ^= 1 << int(random.integers(8))
+    cut = int(random.integers(len(spoilt))) if random.random() < 0.5 else len(spoilt)
+    return bytes(spoilt[:cut])
+
+
+def test_whatever_is_done_to_a_recording_gives_rows_or_one_sentence(
+    content: bytes, supervisor: Supervisor, tmp_path: Path
+) -> None:
+    path, random = tmp_path / "spoilt.dump", np.random.default_rng(3)
+    rows = sentences = 0
+    for _ in range(60):
+        path.write_bytes(spoilt_at_random(content, random))
+        try:
+            found = read_recording(path, MACHINE)
+            run_again(found, supervisor)
+        except FlightError as refusal:
+            assert str(refusal).startswith(f"{path}: ") and "\n" not in str(refusal)
+            sentences += 1
+        else:
+            assert len(found.numbers) and len(times(found)) == len(found.numbers)
+            rows += 1
+    assert rows > 10 and sentences > 10
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_log_makes_a_table_and_a_picture_of_what_is_left(
+    content: bytes, tmp_path: Path, seed: int
+) -> None:
+    path, random = tmp_path / "spoilt.dump", np.random.default_rng(seed)
+    spoilt = bytearray(content[: len(content) * (2 + 3 * seed) // 6])
+    for place in random.integers(HEADER.itemsize, len(spoilt), 50):
+        spoilt[place] ^= 1 << int(random.integers(8))
+    path.write_bytes(spoilt)
+    table, picture = tmp_path / "log.csv", tmp_path / "log.png"
+    command = ["log", str(path), str(MACHINE), "--out", str(table), "--plot", str(picture)]
+    result = CliRunner().invoke(app, command)
+    assert result.stderr.count("\n") == 1 and "cut off" in result.stderr, result.stderr
+    assert (result.exit_code == 0) == table.exists() == picture.exists()
 
 
 @pytest.mark.parametrize(
     ("name", "value", "words_of_refusal"),
     [
         ("magic", b"PK", "no flight recording"),
-        ("version", 2, "version 2; allowed: 1"),
+        ("version", 1, "version 1; allowed: 2"),
         ("byte_order", 0x04030201, "other byte order"),
         ("real_size", 16, "16 bytes; allowed: 4 or 8"),
         ("real_size", 4, "has changed since"),
         ("orders_size", 8, "has changed since"),
-        ("machine", b"brau_five", "of machine brau_five; .* is yoon2023"),
-        ("segments", 3, "do not fill it"),
-        ("segments", 4000, "do not fill it"),
+        ("machine", b"brau_five", "of machine 'brau_five'; .* is 'yoon2023'"),
+        ("head_size", 8, "behind 8 bytes do not fit"),
+        ("head_size", 2**32 - 1, "do not fit into"),
+        ("segment_size", 1000, "do not fit into the 1000 bytes"),
+        ("segment_cycles", 0, "0 cycles"),
+        ("segment_cycles", 2**32 - 1, "do not fit into"),
+        ("machine", b"two\nlines", "of machine 'two"),
     ],
 )
 def test_a_header_that_is_not_ours_is_refused(
@@ -273,9 +368,37 @@ def test_a_header_that_is_not_ours_is_refused(
     header = np.frombuffer(content, HEADER, 1).copy()
     header[name] = value
     path = tmp_path / "other.dump"
-    path.write_bytes(sealed(header.tobytes() + content[HEADER.itemsize :]))
-    with pytest.raises(FlightError, match=words_of_refusal):
+    path.write_bytes(header.tobytes() + content[HEADER.itemsize :])
+    with pytest.raises(FlightError, match=words_of_refusal) as refusal:
         read_recording(path, MACHINE)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("lie", [0, 7, 2**32 - 1])
+def test_a_header_that_lies_about_the_memory_costs_the_replay_alone(
+    content: bytes, recording: Recording, supervisor: Supervisor, tmp_path: Path, lie: int
+) -> None:
+    header = np.frombuffer(content, HEADER, 1).copy()
+    header["supervisor_size"] = lie
+    path = tmp_path / "lying.dump"
+    path.write_bytes(header.tobytes() + content[HEADER.itemsize :])
+    found = read_recording(path, MACHINE)
+    assert bytes_of(found) == bytes_of(recording)
+    if lie < int(np.frombuffer(content, HEADER, 1)[0]["supervisor_size"]):
+        with pytest.raises(FlightError, match="in this version of turnbuckle"):
+            run_again(found, supervisor)
+
+
+def test_a_header_that_tells_of_more_segments_than_there_are_is_told(
+    content: bytes, recording: Recording, tmp_path: Path
+) -> None:
+    header = np.frombuffer(content, HEADER, 1).copy()
+    header["segments"] += 2
+    path = tmp_path / "more.dump"
+    path.write_bytes(header.tobytes() + content[HEADER.itemsize :])
+    found = read_recording(path, MACHINE)
+    assert np.array_equal(found.numbers, recording.numbers)
+    assert "2 segments are not whole, or not there" in found.flaws[0]
 
 
 def test_replay_says_that_every_cycle_matched(dump: Path, recording: Recording) -> None:
@@ -286,11 +409,14 @@ def test_replay_says_that_every_cycle_matched(dump: Path, recording: Recording) 
 
 def test_replay_names_the_first_difference(content: bytes, tmp_path: Path) -> None:
     header = np.frombuffer(content, HEADER, 1)[0]
-    orders = len(content) - END.itemsize - int(header["orders_size"])
+    number = int(header["segments"]) - 1
+    at = HEADER.itemsize + number * int(header["segment_size"])
+    count = int(np.frombuffer(content, SEGMENT, 1, at)[0]["count"])
+    end = at + int(header["head_size"]) + count * int(header["cycle_size"])
     spoilt = bytearray(content)
-    spoilt[orders + 7] ^= 0x80  # the sign of the first drive's torque
+    spoilt[end - int(header["orders_size"]) + 7] ^= 0x80  # the sign of the first drive's torque
     path = tmp_path / "spoilt.dump"
-    path.write_bytes(sealed(bytes(spoilt)))
+    path.write_bytes(sealed(bytes(spoilt), number))
     result = CliRunner().invoke(app, ["replay", str(path), str(MACHINE)])
     assert result.exit_code == 1
     assert "drives.torque[0] was -0.0 when recorded, now it is 0.0" in result.stdout

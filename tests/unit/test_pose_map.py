@@ -11,9 +11,11 @@ from turnbuckle.codegen.bind import Generated, generate_into_cache
 from turnbuckle.codegen.map_tally import tally
 from turnbuckle.codegen.pose_map import SHIM, Grid, PoseMap, Reals, target_grid
 from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.refusal import Refusal
 from turnbuckle.model.symbolic.function import Status
 
 MACHINES = Path(__file__).parents[1] / "machines"
+STOCK = Path(__file__).parents[2] / "machines"
 Bases = dict[str, tuple[float, ...]]
 BASES: dict[str, Bases] = {
     "following": {},
@@ -72,6 +74,18 @@ def test_a_map_is_what_pose_quality_says_to_the_bit(
     assert 0 < np.sum(~known) < grid.count / 4 or bases == "staying"
     assert np.array_equal(margin, np.where(known, answer.margin, np.nan), equal_nan=True)
     assert np.array_equal(factor, np.where(known, answer.factor, np.nan), equal_nan=True)
+
+
+@pytest.mark.parametrize("name", ["brau_tetrahedron", "planar_rigid", "spidar_g"])
+def test_a_machine_whose_c_has_no_pose_quality_is_refused_by_its_kind(name: str) -> None:
+    machine = load_machine(STOCK / f"{name}.toml")
+    generated = Generated(machine, generate_into_cache(machine), "double")
+    with pytest.raises(Refusal) as refusal:
+        PoseMap(generated)
+    assert str(refusal.value) == (
+        f"{machine.path}: machine.kind: found {machine.kind};"
+        " allowed: planar-point, for a map of pose quality"
+    )
 
 
 def test_the_height_of_tiles_changes_nothing(pose_map: PoseMap) -> None:

@@ -1,22 +1,30 @@
 """What a stopped machine tells its user: the culprit, what was found and wanted, what to do."""
 
 import ctypes
+import itertools
+import re
 from ctypes import byref
+from pathlib import Path
 from typing import Any
 
 import pytest
 from canopen_c import MACHINE, RUNTIME, Canopen
 
+from turnbuckle.model.words import LONGEST_IDENTIFIER
+
 LINUX = RUNTIME / "port" / "linux"
-C = Canopen(
-    [
-        MACHINE / "tb_drives.c",
-        RUNTIME / "core" / "words.c",
-        *(RUNTIME / "canopen" / f"{name}.c" for name in ("cia402", "emcy", "sdo")),
-        LINUX / "sentence.c",
-    ],
-    folders=[LINUX],
-)
+CODES = [RUNTIME / "canopen" / f"{name}.c" for name in ("emcy", "sdo")]
+SOURCES = [
+    RUNTIME / "core" / "words.c",
+    RUNTIME / "canopen" / "cia402.c",
+    *CODES,
+    LINUX / "sentence.c",
+]
+C = Canopen([MACHINE / "tb_drives.c", *SOURCES], folders=[LINUX])
+INDICES = (0, 0x1400, 0x6060)
+"""Of objects: none, one of the contract, the mode."""
+ABOUT_A_DEVICE = 160
+"""Characters that runtime/port/linux/reopening.c has for what to do about a device."""
 CONTRACT = "cable_1 (bus cable1, node 1): did not take its configuration"
 
 
@@ -101,3 +109,37 @@ def test_a_stranger_is_told_where_it_could_be_named() -> None:
     told = sentence("STRANGER", culprit=2, detail=20)
     assert ": of node 20; " in told
     assert "put it with its frames into a table [[node]]" in told
+
+
+def all_sentences(library: Canopen, room: int) -> list[str]:
+    """What is said of every cause, with all that can be known of it, in so many bytes."""
+    orders, text = library.new("tb_orders"), ctypes.create_string_buffer(room)
+    codes = re.findall(r"0x[0-9A-F]{8}|0x[0-9A-F]{4}", "".join(map(Path.read_text, CODES)))
+    details = [1, 0xFFFFFFFF, C.TB_CALIBRATION_OPEN, *(int(code, 16) for code in codes)]
+    causes, failures = (library.constants(f"TB_{kind}_").values() for kind in ("CAUSE", "FAILURE"))
+    found = []
+    for orders.cause, orders.failure, orders.index in itertools.product(causes, failures, INDICES):
+        for orders.detail in details:
+            library.tb_sentence_of_cause(byref(orders), ctypes.c_size_t(room), text)
+            found.append(text.value.decode())
+    return found
+
+
+def macro(name: str, header: str) -> int:
+    """A number of a header of the port."""
+    found = re.search(rf"#define {name} (\d+)", (LINUX / header).read_text())
+    assert found
+    return int(found[1])
+
+
+def test_no_sentence_is_cut_however_long_the_names_are(tmp_path: Path) -> None:
+    tables = tmp_path / "tb_drives.c"
+    longest = (MACHINE / "tb_drives.c").read_text()
+    tables.write_text(re.sub(r'"[a-z]+_?\d?"', f'"{"w" * LONGEST_IDENTIFIER}"', longest))
+    library = Canopen([tables, *SOURCES], folders=[LINUX])
+    room = macro("TB_TELEMETRY_TEXT", "telemetry.h")
+    device = macro("TB_LONGEST_DEVICE", "options.h")
+    told = all_sentences(library, room)
+    assert told == all_sentences(library, 1 << 16)
+    assert told != all_sentences(library, 200)  # so few bytes would cut
+    assert max(map(len, told)) + len("; slcan:") + device + ABOUT_A_DEVICE < room

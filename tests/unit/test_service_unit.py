@@ -38,6 +38,13 @@ def test_a_mistake_in_the_unit_is_seen(tmp_path: Path, right: str, wrong: str) -
     assert done.stdout + done.stderr != ""
 
 
+def test_every_run_has_a_recording_of_its_own_whose_writer_outlives_a_kill() -> None:
+    lines = UNIT.read_text().splitlines()
+    assert {"StateDirectory=turnbuckle", "KillMode=process"} <= set(lines)
+    (start,) = (line for line in lines if line.startswith("ExecStart="))
+    assert " --record /var/lib/turnbuckle " in start
+
+
 def test_the_watchdog_kills_and_nothing_starts_again_by_itself() -> None:
     lines = UNIT.read_text().splitlines()
     for line in ("WatchdogSignal=SIGKILL", "Restart=no", "KillSignal=SIGTERM", "LimitRTPRIO=90"):

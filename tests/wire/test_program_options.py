@@ -11,6 +11,7 @@ import pytest
 from running import BUSES, Lines, running, silent_lines
 
 from turnbuckle.lab.live.program import compile_machine
+from turnbuckle.model.words import LONGEST_IDENTIFIER
 
 NOBODY = 65534
 
@@ -60,6 +61,10 @@ def buses(**devices: str) -> list[str]:
         (["--bus", "cable1=usb:a"], ["--bus cable1=usb:a", "socketcan:INTERFACE"]),
         (["--bus=cable1=slcan:a", "--bus=cable1=slcan:b"], ["the bus cable1 was given before"]),
         (buses(cable2="slcan:/dev/no_cable1"), ["cable1 and cable2 are both on /dev/no_cable1"]),
+        (
+            ["--bus", f"cable1=slcan:/dev/{'y' * 400}"],
+            ["--bus cable1=: found a device of 412 characters; allowed: 300"],
+        ),
         (["--cycles", "0"], ["--cycles", '"0"', "a whole number from 1"]),
         (["--cycles", "-1"], ["--cycles", '"-1"', "a whole number from 1"]),
         (["--cycles", "1e3"], ["--cycles", '"1e3"']),
@@ -204,3 +209,20 @@ def test_two_programs_do_not_control_one_machine(program: Path, lines: Lines) ->
         done = run(program, *lines.options, f"--telemetry={first.telemetry.path}")
         assert_refused(done, "another program controls this machine")
         first.await_cycles(10)
+
+
+def test_a_message_about_the_longest_path_is_whole(program: Path, tmp_path: Path) -> None:
+    path = tmp_path / "/".join(["y" * 250] * 15) / "file"
+    for option in ("record", "telemetry"):
+        done = run(program, *buses(), f"--{option}={path}")
+        assert_refused(done, f"--{option} {path}: cannot be ", "No such file or directory")
+    assert_refused(run(program, f"--cycles={'x' * 9000}"), "x" * 9000, "allowed: a whole number")
+
+
+def test_the_list_of_buses_is_whole(stock_folder: Path, tmp_path: Path) -> None:
+    folder, name = tmp_path / "long", "w" * LONGEST_IDENTIFIER
+    shutil.copytree(stock_folder, folder)
+    tables = folder / "tb_drives.c"
+    tables.write_text(tables.read_text().replace('"cable1"', f'"{name}"'))
+    done = run(compile_machine(folder), "--bus=no=slcan:a")
+    assert_refused(done, f"allowed: one of {name}, cable2, base, as in --bus {name}=")

@@ -8,11 +8,22 @@ from typing import Any
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 from turnbuckle.codegen.compile import compile_program
+from turnbuckle.command_line import app
 from turnbuckle.lab.live import LiveError, NothingYetError
 from turnbuckle.lab.live.program import FOLDERS
-from turnbuckle.lab.live.telemetry import BUS, COUNTS, DRIVE, Record, Telemetry, layout_of, rates
+from turnbuckle.lab.live.telemetry import (
+    BUS,
+    COUNTS,
+    DRIVE,
+    MAGIC,
+    Record,
+    Telemetry,
+    layout_of,
+    rates,
+)
 from turnbuckle.places import RUNTIME
 
 WRITER = Path(__file__).with_name("telemetry_writer.c")
@@ -181,7 +192,7 @@ def test_a_file_of_another_version_is_refused(written: Telemetry, path: Path) ->
     content = bytearray(path.read_bytes())
     content[8] += 1
     path.write_bytes(content)
-    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 3; allowed: 2"):
+    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 4; allowed: 3"):
         Telemetry(path)
 
 
@@ -202,6 +213,37 @@ def test_a_file_whose_layout_is_another_is_refused(
     path.write_bytes(content)
     with pytest.raises(LiveError, match="allowed: telemetry of a turnbuckle"):
         Telemetry(path)
+
+
+def spoilt_at_random(content: bytes, random: np.random.Generator) -> bytes:
+    """Telemetry with other bytes, most of them in its header and its status, cut off perhaps."""
+    spoilt = bytearray(content)
+    for _ in range(random.integers(1, 6)):
+        most = int(random.choice([8, COUNTS.itemsize, 8192, len(spoilt)]))
+        spoilt[random.integers(most)] = random.integers(256)
+    cut = int(random.integers(len(spoilt))) if random.random() < 0.2 else len(spoilt)
+    return bytes(spoilt[:cut])
+
+
+def test_whatever_is_done_to_the_file_gives_a_picture_or_one_sentence(
+    written: Telemetry, path: Path
+) -> None:
+    content, random = path.read_bytes(), np.random.default_rng(4)
+    pictures = sentences = 0
+    spoilt = [spoilt_at_random(content, random) for _ in range(40)]
+    noise = [MAGIC + random.bytes(int(size)) for size in random.integers(0, 10_000, 8)]
+    noise += [MAGIC + content[8:12] + random.bytes(len(content) - 12) for _ in range(8)]
+    for each in (*spoilt, *noise):
+        path.write_bytes(each)
+        result = CliRunner().invoke(app, ["monitor", "yoon2023", "--once", f"--telemetry={path}"])
+        assert result.exit_code in (0, 2), result.exception
+        if result.exit_code:
+            assert result.stderr.startswith(f"turnbuckle: {path}: "), result.stderr
+            assert result.stderr.count("\n") == 1
+            sentences += 1
+        else:
+            pictures += 1
+    assert pictures > 5 and sentences > 20
 
 
 def test_no_file_says_how_to_start_a_program(path: Path) -> None:

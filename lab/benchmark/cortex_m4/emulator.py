@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from elftools.elf.elffile import ELFFile
 from numpy.typing import NDArray
-from unicorn import UC_ARCH_ARM, UC_HOOK_BLOCK, UC_MODE_MCLASS, UC_MODE_THUMB, Uc
+from unicorn import UC_ARCH_ARM, UC_HOOK_BLOCK, UC_MODE_THUMB, Uc
 from unicorn.arm_const import (
     UC_ARM_REG_LR,
     UC_ARM_REG_PC,
@@ -35,9 +35,14 @@ Floats = NDArray[np.float32]
 
 
 def cortex_m4() -> Any:
-    """A processor with empty memory."""
-    cpu = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
+    """A processor with empty memory.
+
+    Without UC_MODE_MCLASS, which makes a Cortex-M33 of any model. RuntimeError when it is none.
+    """
+    cpu = Uc(UC_ARCH_ARM, UC_MODE_THUMB)
     cpu.ctl_set_cpu_model(UC_CPU_ARM_CORTEX_M4)
+    if (model := cpu.ctl_get_cpu_model()) != UC_CPU_ARM_CORTEX_M4:
+        raise RuntimeError(f"Unicorn emulates its ARM model {model}, which is no Cortex-M4")
     cpu.mem_map(FLASH, FLASH_SIZE)
     cpu.mem_map(RAM, RAM_SIZE)
     return cpu

@@ -86,6 +86,7 @@ static void run_cycle(tb_loop *loop, tb_grid *grid)
     tb_wishes wishes;
     wish(loop, &wishes);
     tb_master_run(loop->master, &wishes, grid->missed);
+    tb_record_tell(loop->record, &loop->master->recorder);
     tb_histogram_add(&loop->times.computing, tb_clock_now(loop->clock) - woke);
     tb_publish(loop, began);
     if (loop->master->supervisor.damaged == 0) {

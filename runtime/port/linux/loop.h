@@ -14,6 +14,7 @@
 #include "inbox.h"
 #include "master.h"
 #include "options.h"
+#include "record.h"
 #include "reopening.h"
 #include "telemetry.h"
 #include "watchdog.h"
@@ -33,6 +34,7 @@ typedef struct {
     tb_master *master;
     tb_can_port *const *ports; /* TB_BUSES of them */
     tb_telemetry_file *telemetry;
+    tb_record *record;
     tb_watchdog watchdog;
     tb_inbox inbox;
     tb_reopening reopening;

@@ -1,5 +1,9 @@
-/* The executable: one machine, its buses, one thread. */
+/* The executable: one machine, its buses, one thread; and a process that writes its record. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#include <errno.h>
 #include <stddef.h>
+#include <string.h>
+#include <sys/mman.h>
 
 #include "buses.h"
 #include "clock.h"
@@ -8,6 +12,7 @@
 #include "realtime.h"
 #include "record.h"
 #include "report.h"
+#include "say.h"
 #include "seal.h"
 #include "simulated_clock.h"
 #include "stop.h"
@@ -17,7 +22,7 @@
 #define FAILED 1
 #define CANNOT 2
 
-/** All memory of the program: there is no other. */
+/** All memory of the program: there is no other. The writer of the record shares it. */
 typedef struct {
     tb_options options;
     tb_bus_ports buses;
@@ -49,11 +54,11 @@ static bool prepare(tb_program *program)
     *loop = (tb_loop){.options = &program->options,
                       .master = &program->master,
                       .ports = program->buses.ports,
+                      .record = &program->record,
                       .reopening = {.options = &program->options, .buses = &program->buses}};
     tb_stop_listen();
     loop->telemetry = tb_telemetry_open(program->options.telemetry, program->options.clock != NULL);
     return (loop->telemetry != NULL) && tb_watchdog_open(&loop->watchdog) &&
-           tb_record_open(&program->record, program->options.record) &&
            tb_buses_open(&program->buses, &program->options) && open_clock(program) &&
            tb_realtime_enter(&program->options) && (!program->options.seal || tb_seal());
 }
@@ -62,18 +67,40 @@ static int run(tb_program *program)
 {
     tb_master_start(&program->master, program->ports);
     tb_end const end = tb_loop_run(&program->loop);
-    bool const recorded = tb_record_write(&program->record, &program->master.recorder);
     int const status = tb_report(&program->loop, end);
     tb_buses_close(&program->buses);
-    return recorded ? status : FAILED;
+    return status;
+}
+
+/* The writer of the record is made first: it shall have none of what the program opens. */
+static int record_run(tb_program *program)
+{
+    if (!tb_record_open(&program->record, &program->master.recorder, program->options.record)) {
+        return CANNOT;
+    }
+    int const status = prepare(program) ? run(program) : CANNOT;
+    bool const recorded = tb_record_close(&program->record);
+    return (recorded || (status == CANNOT)) ? status : FAILED;
+}
+
+/* NULL with errno where there is none. */
+static tb_program *share_memory(void)
+{
+    void *const memory = mmap(NULL, sizeof(tb_program), PROT_READ | PROT_WRITE,
+                              MAP_SHARED | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
+    return (memory == MAP_FAILED) ? NULL : memory;
 }
 
 int main(int argc, char *argv[])
 {
-    static tb_program program;
-    switch (tb_options_read(argc, argv, &program.options)) {
+    tb_program *const program = share_memory();
+    if (program == NULL) {
+        tb_say("no memory: %s", strerror(errno));
+        return CANNOT;
+    }
+    switch (tb_options_read(argc, argv, &program->options)) {
     case TB_OPTIONS_RUN:
-        return prepare(&program) ? run(&program) : CANNOT;
+        return record_run(program);
     case TB_OPTIONS_DONE:
         return STOPPED;
     default:

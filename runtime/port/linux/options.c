@@ -10,6 +10,7 @@
 #include "say.h"
 #include "tb_machine.h"
 
+#define LONGEST_NAME 31     /* of a bus in a machine file */
 #define DEFAULT_PRIORITY 80 /* below the threads of the CAN device's interrupts, above the rest */
 
 #ifdef TB_REAL_FLOAT
@@ -27,7 +28,7 @@ static const char usage[] =
     "  --bus NAME=socketcan:can0        a bus behind an interface of the kernel\n"
     "  --arm             arm as soon as every drive is configured\n"
     "  --cycles N        stop after N cycles\n"
-    "  --record FILE     write the flight recorder to FILE at the end\n"
+    "  --record FILE     keep the flight recorder in FILE; a folder: in a file of the run's own\n"
     "  --telemetry FILE  shared file for monitors and applications\n"
     "                    [default: /dev/shm/turnbuckle-" TB_MACHINE_NAME "]\n"
     "  --priority N      of SCHED_FIFO, 1 to 99; 0 for none [default: 80]\n"
@@ -138,7 +139,7 @@ static bool read_adapter(const char *text, tb_bus_option *bus)
 
 static bool read_bus(const char *text, tb_options *options)
 {
-    char names[256];
+    char names[TB_BUSES * (LONGEST_NAME + 2) + 1];
     size_t const length = strcspn(text, "=");
     int const number = find_bus(text, length);
     if (number < 0) {
@@ -150,6 +151,11 @@ static bool read_bus(const char *text, tb_options *options)
     tb_bus_option *const bus = &options->buses[number];
     if (bus->adapter != TB_ADAPTER_NONE) {
         tb_say("--bus %s: the bus %s was given before", text, tb_buses[number].name);
+        return false;
+    }
+    if (strlen(text) - length > TB_LONGEST_DEVICE) {
+        tb_say("--bus %.*s=: found a device of %zu characters; allowed: %d, a link to it as well",
+               (int)length, text, strlen(text) - length, TB_LONGEST_DEVICE);
         return false;
     }
     if ((text[length] == '\0') || !read_adapter(text + length + 1u, bus)) {

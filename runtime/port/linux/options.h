@@ -9,6 +9,7 @@
 
 #define TB_LARGEST_PRIORITY 99
 #define TB_MOST_PROCESSORS 1024
+#define TB_LONGEST_DEVICE 300 /* characters: a folder of /dev and the longest name of a file */
 
 /** How a bus is reached. */
 typedef enum {

@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE /* pipe2 */
 #include "record.h"
 
 #include <errno.h>
@@ -7,50 +7,96 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "record_file.h"
+#include "record_writer.h"
 #include "say.h"
 
-bool tb_record_open(tb_record *record, const char *path)
+static bool refuse(const char *path, const tb_record_file *file)
 {
-    *record = (tb_record){.path = path, .descriptor = -1};
-    if (path == NULL) {
-        return true;
-    }
-    record->descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (record->descriptor < 0) {
-        tb_say("--record %s: cannot be written: %s", path, strerror(errno));
-    }
-    return record->descriptor >= 0;
+    tb_say("--record %s: cannot be written: %s", path, strerror(errno));
+    tb_record_file_drop(file);
+    return false;
 }
 
-static bool write_all(int descriptor, const char *bytes, size_t size)
+/* The ends of two pipes that are the writer's. */
+typedef struct {
+    int alive;
+    int answer;
+} tb_writer_ends;
+
+static bool connect_writer(tb_record *record, tb_writer_ends *writer)
 {
-    while (size > 0) {
-        ssize_t const written = write(descriptor, bytes, size);
-        if ((written < 0) && (errno != EINTR)) {
-            return false;
-        }
-        size_t const done = (written < 0) ? 0u : (size_t)written;
-        bytes += done;
-        size -= done;
+    int alive[2];
+    int answer[2];
+    if (pipe2(alive, O_CLOEXEC) != 0) {
+        return false;
     }
+    if (pipe2(answer, O_CLOEXEC) != 0) {
+        close(alive[0]);
+        close(alive[1]);
+        return false;
+    }
+    record->alive = alive[1];
+    record->answer = answer[0];
+    *writer = (tb_writer_ends){alive[0], answer[1]};
     return true;
 }
 
-bool tb_record_write(const tb_record *record, const tb_recorder *recorder)
+bool tb_record_open(tb_record *record, const tb_recorder *recorder, const char *path)
 {
-    if (record->descriptor < 0) {
+    tb_record_file file;
+    tb_writer_ends ends;
+    *record = (tb_record){.path = path, .alive = -1, .answer = -1};
+    if (path == NULL) {
         return true;
     }
-    tb_recorder_reader reader;
-    tb_recorder_open(&reader, recorder);
-    for (;;) {
-        tb_recorder_piece const piece = tb_recorder_read(&reader);
-        if (piece.size == 0) {
-            return true;
-        }
-        if (!write_all(record->descriptor, piece.bytes, piece.size)) {
-            tb_say("--record %s: %s; the recording is not whole", record->path, strerror(errno));
-            return false;
-        }
+    if (!tb_record_file_open(&file, path)) {
+        return false;
     }
+    if (!connect_writer(record, &ends)) {
+        return refuse(path, &file);
+    }
+    pid_t const child = fork();
+    if (child < 0) {
+        return refuse(path, &file);
+    }
+    if (child == 0) {
+        close(record->alive);
+        close(record->answer);
+        tb_record_write(&(tb_record_writer){.record = record,
+                                            .recorder = recorder,
+                                            .file = &file,
+                                            .alive = ends.alive,
+                                            .answer = ends.answer});
+    }
+    close(ends.alive);
+    close(ends.answer);
+    close(file.descriptor);
+    return true;
+}
+
+void tb_record_tell(tb_record *record, const tb_recorder *recorder)
+{
+    tb_recorder_mark const now = tb_recorder_now(recorder);
+    uint64_t const kept = ((uint64_t)now.opened << 32) | now.count;
+    atomic_store_explicit(&record->kept, kept, memory_order_release);
+}
+
+bool tb_record_close(const tb_record *record)
+{
+    int failure = 0;
+    if (record->alive < 0) {
+        return true;
+    }
+    close(record->alive);
+    ssize_t got = 0;
+    do {
+        got = read(record->answer, &failure, sizeof failure);
+    } while ((got < 0) && (errno == EINTR));
+    close(record->answer);
+    if (got != (ssize_t)sizeof failure) {
+        tb_say("--record %s: its writer was killed; the last cycles may be missing", record->path);
+        return false;
+    }
+    return failure == 0; /* the writer has told which */
 }

@@ -6,8 +6,7 @@
 #include "say.h"
 #include "supervisor.h"
 
-#define LONGEST_DEVICE 160 /* longer names are cut */
-#define LONGEST_SENTENCE 256
+#define LONGEST_SENTENCE (TB_LONGEST_DEVICE + 160)
 
 static bool is_lost(const tb_reopening *reopening, size_t bus)
 {
@@ -18,7 +17,7 @@ static bool is_lost(const tb_reopening *reopening, size_t bus)
 
 static void word(const tb_reopening *reopening, size_t bus, size_t room, char text[])
 {
-    char device[LONGEST_DEVICE];
+    char device[TB_LONGEST_DEVICE + 1];
     tb_buses_name(&reopening->options->buses[bus], sizeof device, device);
     switch (reopening->presence[bus]) {
     case TB_BUS_REFUSED:

@@ -1,5 +1,7 @@
+#define _POSIX_C_SOURCE 200809L /* PATH_MAX */
 #include "say.h"
 
+#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,8 +11,9 @@
 
 #define PROGRAM "turnbuckle-" TB_MACHINE_NAME ": "
 
-/* Longer lines are cut. Not stdio's streams: they take memory and locks when they please. */
-#define LONGEST_LINE 1024
+/* Room for the three longest paths that the kernel takes; longer lines are cut. Not stdio's streams: they
+ * take memory and locks when they please. */
+#define LONGEST_LINE (4 * PATH_MAX)
 
 static void write_line(int to, const char *prefix, const char *format, va_list arguments)
     __attribute__((format(printf, 3, 0)));

@@ -169,11 +169,12 @@ static void tell_detail(const tb_orders *orders, size_t room, char text[])
 void tb_sentence_of_cause(const tb_orders *orders, size_t room, char text[])
 {
     tb_cause const cause = (tb_cause)orders->cause;
-    char culprit[96];
-    char detail[128];
     const char *const advice = tb_advice_text(cause);
-    tell_culprit(orders, tb_culprit_text(cause), sizeof culprit, culprit);
-    tell_detail(orders, sizeof detail, detail);
-    snprintf(text, room, "%s%s%s%s%s", culprit, tb_cause_text(cause), detail,
-             (advice[0] == '\0') ? "" : "; ", advice);
+    tell_culprit(orders, tb_culprit_text(cause), room, text);
+    size_t used = strlen(text);
+    snprintf(text + used, room - used, "%s", tb_cause_text(cause));
+    used = strlen(text);
+    tell_detail(orders, room - used, text + used);
+    used = strlen(text);
+    snprintf(text + used, room - used, "%s%s", (advice[0] == '\0') ? "" : "; ", advice);
 }

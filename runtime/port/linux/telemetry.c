@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -61,7 +62,23 @@ static void write_header(tb_telemetry_file *file, bool simulated)
     memcpy(header->magic, TB_TELEMETRY_MAGIC, sizeof header->magic);
 }
 
-/* Whether a program that still runs writes to the file; a message says so. */
+static int refuse(const char *path, const char *what, int descriptor)
+{
+    tb_say("--telemetry %s: %s: %s", path, what, strerror(errno));
+    if (descriptor >= 0) {
+        close(descriptor);
+    }
+    return -1;
+}
+
+static void say_foreign(const char *path)
+{
+    tb_say("--telemetry %s: is no telemetry of a turnbuckle program, and would be replaced; name "
+           "another "
+           "file",
+           path);
+}
+
 /* Whoever waits for a program looks whether there is one by a lock of a moment. */
 static bool lock_patiently(int descriptor)
 {
@@ -74,29 +91,49 @@ static bool lock_patiently(int descriptor)
     return locked;
 }
 
-static bool is_taken(const char *path)
+/* Whether a file is telemetry of any version, or empty. */
+static bool is_telemetry(int descriptor)
 {
-    int const old = open(path, O_RDWR | O_NOFOLLOW | O_CLOEXEC);
-    if (old < 0) {
-        return false; /* the next open() finds out whether something is wrong */
-    }
-    bool const taken = !lock_patiently(old);
-    if (taken) {
+    char magic[sizeof(blank_header.magic)];
+    ssize_t const got = pread(descriptor, magic, sizeof magic, 0);
+    return (got == 0) || ((got == (ssize_t)sizeof magic) &&
+                          (memcmp(magic, TB_TELEMETRY_MAGIC, sizeof magic) == 0));
+}
+
+/* Whether the old file is telemetry of a program that has ended; a message says what it is else. */
+static bool is_left_over(const char *path, int old)
+{
+    bool const ours = is_telemetry(old);
+    bool const free = ours && lock_patiently(old);
+    if (!ours) {
+        say_foreign(path);
+    } else if (!free) {
         tb_say("%s: another program controls this machine; stop it first, or give --telemetry "
                "another file",
                path);
     }
-    close(old);
-    return taken;
+    return free;
 }
 
-static int refuse(const char *path, const char *what, int descriptor)
+/* Whether there is no old file, or one that may be replaced; else a message says why not. */
+static bool may_replace(const char *path)
 {
-    tb_say("--telemetry %s: %s: %s", path, what, strerror(errno));
-    if (descriptor >= 0) {
-        close(descriptor);
+    struct stat about;
+    if (lstat(path, &about) != 0) {
+        return true; /* the next open() finds out whether something is wrong */
     }
-    return -1;
+    if (!S_ISREG(about.st_mode)) {
+        say_foreign(path);
+        return false;
+    }
+    int const old = open(path, O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (old < 0) {
+        refuse(path, "the old file cannot be opened", -1);
+        return false;
+    }
+    bool const left_over = is_left_over(path, old);
+    close(old);
+    return left_over;
 }
 
 /* A new file, not the old one emptied: who still reads that one reads on in peace. The group may
@@ -115,6 +152,7 @@ static int create(const char *path)
     }
     int const failure = posix_fallocate(descriptor, 0, (off_t)sizeof(tb_telemetry_file));
     if (failure != 0) {
+        (void)unlink(path);
         errno = failure;
         return refuse(path, "no room", descriptor);
     }
@@ -124,7 +162,7 @@ static int create(const char *path)
 /* The descriptor stays open as long as the program runs, and the lock with it. */
 tb_telemetry_file *tb_telemetry_open(const char *path, bool simulated)
 {
-    if (is_taken(path)) {
+    if (!may_replace(path)) {
         return NULL;
     }
     int const descriptor = create(path);

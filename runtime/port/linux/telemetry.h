@@ -33,11 +33,11 @@
 #include "supervisor.h"
 
 #define TB_TELEMETRY_MAGIC "TBTELEM" /* 8 bytes with the final 0 */
-#define TB_TELEMETRY_VERSION 2u
+#define TB_TELEMETRY_VERSION 3u
 #define TB_TELEMETRY_CYCLES 4096u
-#define TB_TELEMETRY_NAME 32u  /* bytes of a name with the final 0; longer ones are cut */
-#define TB_TELEMETRY_TEXT 320u /* bytes of a sentence with the final 0 */
-#define TB_FORCE_CYCLES 20u    /* cycles for which a force of the inbox counts */
+#define TB_TELEMETRY_NAME 32u   /* bytes of a name with the final 0; longer ones are cut */
+#define TB_TELEMETRY_TEXT 1024u /* bytes of a sentence with the final 0; none is as long */
+#define TB_FORCE_CYCLES 20u     /* cycles for which a force of the inbox counts */
 
 /** Who writes, and where everything is. */
 typedef struct {
