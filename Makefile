@@ -15,9 +15,13 @@ TURNBUCKLE := $(VENV)/bin/turnbuckle
 MACHINES := $(sort $(wildcard machines/*.toml))
 TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire closed_loop faults gates fuzz))
 
-# The stamp's name holds the hash of all that set-up depends on: when it exists there is nothing to do.
-SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
-SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
+# A stamp's name holds the hash of all that a set-up depends on: when it exists there is nothing to do.
+# What only tests need is a set-up of its own, so that a newcomer's first `make` does not wait for it.
+stamp = $(VENV)/$(1)-$(shell cat $(2) | sha256sum | cut -c 1-16)
+SETUP := $(call stamp,setup,requirements.lock pyproject.toml .ci/packages)
+TEST_SETUP := $(call stamp,test_setup,requirements-dev.lock .ci/packages_of_tests)
+INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check
+PINNED := --only-binary :all: --require-hashes --requirement
 
 .PHONY: all help setup generate verify build demo test soak campaign mutants figures bench lint lock clean distclean
 .PHONY: lint_python lint_c
@@ -31,14 +35,20 @@ all: ## set up, generate and verify the stock machines, build, run the demo (the
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' Makefile
 
-setup: $(SETUP) ## install what is missing: Debian packages, the pinned Python packages, Turnbuckle itself
+setup: $(TEST_SETUP) ## install what is missing: Debian packages, the pinned Python packages, Turnbuckle itself
 
 $(SETUP):
 	.ci/install_packages .ci/packages
 	$(PYTHON) -m venv $(VENV)
-	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: --require-hashes --requirement requirements.lock
-	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --no-build-isolation --editable .
+	$(INSTALL) $(PINNED) requirements.lock
+	$(INSTALL) --no-index --no-deps --no-build-isolation --editable .
 	rm -f $(VENV)/setup-*
+	touch $@
+
+$(TEST_SETUP): $(SETUP)
+	.ci/install_packages .ci/packages_of_tests
+	$(INSTALL) $(PINNED) requirements-dev.lock
+	rm -f $(VENV)/test_setup-*
 	touch $@
 
 generate: $(SETUP) ## write the C of every machine in machines/ to generated/
@@ -96,22 +106,22 @@ test: lint ## lint, then every test
 soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
 	$(VENV)/bin/python -m turnbuckle.lab.soak $(CYCLES:%=--cycles %)
 
-campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
+campaign: $(TEST_SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
 	EVERY_MOMENT=1 $(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py \
 	  tests/faults/test_pairs.py tests/faults/test_power_on.py -k "not committed"
 	cp build/fault_campaign.md docs/fault-campaign.md
 
-mutants: $(SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
+mutants: $(TEST_SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
 	$(VENV)/bin/python -m turnbuckle.lab.mutants $(COUNT:%=--count %)
 
-figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
+figures: $(TEST_SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
 	$(VENV)/bin/python -m turnbuckle.lab.figures
 
-bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
+bench: $(TEST_SETUP) ## time our C against what one would use instead; writes build/bench.json
 	$(VENV)/bin/python -m turnbuckle.lab.benchmark
 
-lint: $(SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
+lint: $(TEST_SETUP) ## ruff, mypy --strict, and every C file through gcc and clang with warnings as errors
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync lint_python lint_c
 
 lint_python:
@@ -122,10 +132,11 @@ lint_python:
 lint_c:
 	.ci/lint_c
 
-lock: $(SETUP) ## pin requirements.in again
-	$(VENV)/bin/pip-compile --quiet --upgrade $(LOCK_FORM) --output-file requirements.lock requirements.in
+lock: $(TEST_SETUP) ## pin the packages of pyproject.toml again
+	$(PIN) --upgrade --extra sim,bus,design --output-file requirements.lock pyproject.toml
+	$(PIN) --upgrade --extra dev --constraint requirements.lock --output-file requirements-dev.lock pyproject.toml
 
-LOCK_FORM := --allow-unsafe --generate-hashes --strip-extras \
+PIN := $(VENV)/bin/pip-compile --quiet --all-build-deps --allow-unsafe --generate-hashes --strip-extras \
   --no-emit-index-url --no-emit-find-links --no-header --no-annotate
 
 clean: ## remove what was built

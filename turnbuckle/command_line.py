@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from turnbuckle.codegen.command_line import generate, verify
+from turnbuckle.extras import extra_of
 from turnbuckle.lab.analysis.command_line import analyze, compare
 from turnbuckle.lab.command_line import demo
 from turnbuckle.lab.design.command_line import optimise, study
@@ -87,6 +88,13 @@ def errors_in_words() -> Iterator[None]:
         fail(": ".join(str(part) for part in (error.filename, error.strerror or error) if part))
     except Refusal as refusal:
         fail(str(refusal))
+    except ModuleNotFoundError as error:
+        if (extra := extra_of(error.name or "")) is None:
+            raise
+        fail(
+            f"this needs {error.name}, which is not installed; install turnbuckle[{extra}]:"
+            f" pip install 'turnbuckle[{extra}]'"
+        )
 
 
 COMMANDS: tuple[Callable[..., None], ...] = (

@@ -71,11 +71,11 @@ def log(
     from turnbuckle.lab.flight.recording import read_recording
     from turnbuckle.lab.flight.table import write_table
 
+    if plot is not None:
+        from turnbuckle.lab.flight.picture import draw
     recording = read_recording(dump, file)
     write_table(recording, out)
     typer.echo(f"{out}: {len(recording.numbers)} cycles")
     if plot is not None:
-        from turnbuckle.lab.flight.picture import draw
-
         draw(recording, plot)
         typer.echo(f"picture: {plot}")
