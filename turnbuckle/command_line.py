@@ -76,8 +76,8 @@ def describe_turnbuckle(
 
 
 @contextmanager
-def errors_in_words() -> Iterator[None]:
-    """Turn what a user can cause into one message on stderr and an exit status."""
+def errors_in_words(command: str) -> Iterator[None]:
+    """Turn what a user of a command can cause into one message on stderr and an exit status."""
     try:
         yield
     except (BrokenPipeError, typer.Exit, typer.BadParameter):
@@ -92,8 +92,8 @@ def errors_in_words() -> Iterator[None]:
         if (extra := extra_of(error.name or "")) is None:
             raise
         fail(
-            f"this needs {error.name}, which is not installed; install turnbuckle[{extra}]:"
-            f" pip install 'turnbuckle[{extra}]'"
+            f"{command} needs {error.name}, which is not installed;"
+            f" install it with pip install 'turnbuckle[{extra}]'"
         )
 
 
@@ -114,7 +114,7 @@ COMMANDS: tuple[Callable[..., None], ...] = (
 )
 """In the order of --help."""
 for command in COMMANDS:
-    app.command()(errors_in_words()(command))
+    app.command()(errors_in_words(command.__name__)(command))
 
 if __name__ == "__main__":
     main()
