@@ -15,9 +15,13 @@ TURNBUCKLE := $(VENV)/bin/turnbuckle
 MACHINES := $(sort $(wildcard machines/*.toml))
 TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire closed_loop faults gates fuzz))
 
-# The stamp's name holds the hash of all that set-up depends on: when it exists there is nothing to do.
-SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
-SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
+# A stamp's name holds the hash of all that a set-up depends on: when it exists there is nothing to do.
+# What only tests need is a set-up of its own, so that a newcomer's first `make` does not wait for it.
+stamp = $(VENV)/$(1)-$(shell cat $(2) | sha256sum | cut -c 1-16)
+SETUP := $(call stamp,setup,requirements.lock pyproject.toml .ci/packages)
+TEST_SETUP := $(call stamp,test_setup,requirements-dev.lock .ci/packages_of_tests)
+INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check
+PINNED := --only-binary :all: --require-hashes --requirement
 
 .PHONY: all help setup generate verify build demo test soak campaign fuzz mutants figures bench docs format lint lock clean distclean
 .PHONY: lint_python lint_c
@@ -31,14 +35,20 @@ all: ## set up, generate and verify the stock machines, build, run the demo (the
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' Makefile
 
-setup: $(SETUP) ## install what is missing: Debian packages, the pinned Python packages, Turnbuckle itself
+setup: $(TEST_SETUP) ## install what is missing: Debian packages, the pinned Python packages, Turnbuckle itself
 
 $(SETUP):
 	.ci/install_packages .ci/packages
 	$(PYTHON) -m venv $(VENV)
-	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: --require-hashes --requirement requirements.lock
-	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --no-build-isolation --editable .
+	$(INSTALL) $(PINNED) requirements.lock
+	$(INSTALL) --no-index --no-deps --no-build-isolation --editable .
 	rm -f $(VENV)/setup-*
+	touch $@
+
+$(TEST_SETUP): $(SETUP)
+	.ci/install_packages .ci/packages_of_tests
+	$(INSTALL) $(PINNED) requirements-dev.lock
+	rm -f $(VENV)/test_setup-*
 	touch $@
 
 generate: $(SETUP) ## write the C of every machine in machines/ to generated/
@@ -93,26 +103,26 @@ WORKERS ?= $(shell expr $$(nproc) + 1)
 test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
-soak: $(SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires
+soak: $(TEST_SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires
 	$(VENV)/bin/python -m turnbuckle.lab.soak $(CYCLES:%=--cycles %)
 	$(VENV)/bin/python -m pytest tests/wire/every_machine_on_its_wires.py
 
-campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
+campaign: $(TEST_SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
 	WHOLE_CAMPAIGN=1 $(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py \
 	  tests/faults/test_pairs.py tests/faults/test_power_on.py -k "not committed"
 	cp build/fault_campaign.md docs/fault-campaign.md
 
-fuzz: $(SETUP) ## ten minutes of random bytes into everything that parses; SECONDS=60: so long
+fuzz: $(TEST_SETUP) ## ten minutes of random bytes into everything that parses; SECONDS=60: so long
 	FUZZ_SECONDS=$(or $(SECONDS),600) $(VENV)/bin/python -m pytest -n 2 tests/fuzz -k "are_taken"
 
-mutants: $(SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
+mutants: $(TEST_SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
 	$(VENV)/bin/python -m turnbuckle.lab.mutants $(COUNT:%=--count %)
 
-figures: $(SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
+figures: $(TEST_SETUP) ## draw the papers' figures again: docs/figures.md and docs/figures
 	$(VENV)/bin/python -m turnbuckle.lab.figures
 
-bench: $(SETUP) ## time our C against what one would use instead; writes build/bench.json
+bench: $(TEST_SETUP) ## time our C against what one would use instead; writes build/bench.json
 	$(VENV)/bin/python -m turnbuckle.lab.benchmark
 
 # The site's generator has an environment of its own: nothing else needs it.
@@ -125,16 +135,16 @@ $(SITE_SETUP):
 	rm -f $(SITE_VENV)/setup-*
 	touch $@
 
-docs: $(SETUP) $(SITE_SETUP) ## the documentation as a site, in build/site: documents, machines with equations, API
+docs: $(TEST_SETUP) $(SITE_SETUP) ## the documentation as a site, in build/site: documents, machines with equations, API
 	$(VENV)/bin/python -m turnbuckle.lab.pages
 	NO_MKDOCS_2_WARNING=1 $(SITE_VENV)/bin/mkdocs build --quiet --config-file build/mkdocs.yml
 	@echo "site: build/site/index.html"
 
-format: $(SETUP) ## give Python and C their layout: ruff, clang-format
+format: $(TEST_SETUP) ## give Python and C their layout: ruff, clang-format
 	$(VENV)/bin/ruff format .
 	.ci/format_c -i
 
-lint: $(SETUP) ## ruff, mypy --strict, clang-format; every C file through gcc and clang with warnings as errors
+lint: $(TEST_SETUP) ## ruff, mypy --strict, clang-format; every C file through gcc and clang with warnings as errors
 	@$(MAKE) --no-print-directory --jobs=2 --output-sync lint_python lint_c
 
 lint_python:
@@ -146,11 +156,12 @@ lint_c:
 	.ci/format_c --dry-run -Werror
 	.ci/lint_c
 
-lock: $(SETUP) ## pin requirements.in again, and docs/requirements.in
-	$(VENV)/bin/pip-compile --quiet --upgrade $(LOCK_FORM) --output-file requirements.lock requirements.in
-	$(VENV)/bin/pip-compile --quiet --upgrade $(LOCK_FORM) --output-file docs/requirements.lock docs/requirements.in
+lock: $(TEST_SETUP) ## pin the packages of pyproject.toml again
+	$(PIN) --upgrade --extra sim,bus,design --output-file requirements.lock pyproject.toml
+	$(PIN) --upgrade --extra dev --constraint requirements.lock --output-file requirements-dev.lock pyproject.toml
+	$(PIN) --upgrade --output-file docs/requirements.lock docs/requirements.in
 
-LOCK_FORM := --allow-unsafe --generate-hashes --strip-extras \
+PIN := $(VENV)/bin/pip-compile --quiet --all-build-deps --allow-unsafe --generate-hashes --strip-extras \
   --no-emit-index-url --no-emit-find-links --no-header --no-annotate
 
 clean: ## remove what was built

@@ -13,7 +13,6 @@ from turnbuckle.codegen.bind import Generated, load
 from turnbuckle.codegen.controller import UNCOMPENSATED, Controller
 from turnbuckle.lab.bench import Reals, Recording, run_task
 from turnbuckle.lab.pictures import refuse_foreign_picture
-from turnbuckle.lab.plots import draw
 from turnbuckle.lab.summary import Summary, summarise
 from turnbuckle.lab.task import Planner, Task
 from turnbuckle.model.machine import Machine, Plant, load_machine
@@ -46,6 +45,8 @@ def run_demo(
     Raises MachineError for a file that is wrong or not fit for the bench, CompileError without a
     working C compiler, FileError when the picture cannot be written.
     """
+    from turnbuckle.lab.plots import draw  # here: others plan tasks without any pictures
+
     progress("generating the controller", 0.0)
     machine = load_machine(machine_path)
     plant = plant_of(machine)

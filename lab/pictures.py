@@ -1,12 +1,15 @@
 """Pictures as files: PNG with a mark that tells them from a user's own."""
 
+from __future__ import annotations
+
 from io import BytesIO
 from pathlib import Path
-from typing import Any
-
-from matplotlib.figure import Figure
+from typing import TYPE_CHECKING, Any
 
 from turnbuckle.model.files import refuse_foreign_file, write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SOFTWARE = "turnbuckle"
 MARK = b"Software\0turnbuckle"

@@ -54,6 +54,7 @@ from turnbuckle.model.quantity import (
     TorqueRate,
     UnitVector,
 )
+from turnbuckle.model.stock import machine_file, stock_names
 from turnbuckle.model.table import Table
 from turnbuckle.model.words import CommentLine, Identifier, KindName
 
@@ -442,11 +443,11 @@ def _in_mm(*lengths: float) -> str:
 
 
 def load_machine(path: str | Path) -> Machine:
-    """Read and check a machine file.
+    """Read and check a machine file, or a stock machine by its name.
 
     Raises MachineError, whose text names the file, the key, what was found and what is allowed.
     """
-    path = Path(path)
+    path = machine_file(path)
     return machine_from(_read_toml(path), path)
 
 
@@ -481,7 +482,9 @@ def _read_bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except FileNotFoundError:
-        found = "no such file"
+        raise _unreadable(
+            path, "no such file", f", or a stock machine: {', '.join(stock_names())}"
+        ) from None
     except IsADirectoryError:
         found = "a directory"
     except OSError as error:
@@ -491,8 +494,9 @@ def _read_bytes(path: Path) -> bytes:
     raise _unreadable(path, found)
 
 
-def _unreadable(path: Path, found: str) -> MachineError:
-    return MachineError(path, [Problem("", found, "a readable machine file, TOML in UTF-8")])
+def _unreadable(path: Path, found: str, more: str = "") -> MachineError:
+    allowed = f"a readable machine file, TOML in UTF-8{more}"
+    return MachineError(path, [Problem("", found, allowed)])
 
 
 def json_schema() -> dict[str, Any]:

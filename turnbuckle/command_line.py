@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from turnbuckle.codegen.command_line import generate, verify
+from turnbuckle.extras import extra_of
 from turnbuckle.lab.analysis.command_line import analyze, compare
 from turnbuckle.lab.command_line import demo
 from turnbuckle.lab.design.command_line import optimise, study
@@ -86,8 +87,8 @@ def describe_turnbuckle(
 
 
 @contextmanager
-def errors_in_words() -> Iterator[None]:
-    """Turn what a user can cause into one message on stderr and an exit status."""
+def errors_in_words(command: str) -> Iterator[None]:
+    """Turn what a user of a command can cause into one message on stderr and an exit status."""
     try:
         yield
     except (BrokenPipeError, typer.Exit, typer.BadParameter):
@@ -98,6 +99,13 @@ def errors_in_words() -> Iterator[None]:
         fail(in_words(error))
     except Refusal as refusal:
         fail(str(refusal))
+    except ModuleNotFoundError as error:
+        if (extra := extra_of(error.name or "")) is None:
+            raise
+        fail(
+            f"{command} needs {error.name}, which is not installed;"
+            f" install it with pip install 'turnbuckle[{extra}]'"
+        )
 
 
 COMMANDS: tuple[Callable[..., None], ...] = (
@@ -117,7 +125,7 @@ COMMANDS: tuple[Callable[..., None], ...] = (
 )
 """In the order of --help."""
 for command in COMMANDS:
-    app.command()(errors_in_words()(command))
+    app.command()(errors_in_words(command.__name__)(command))
 
 if __name__ == "__main__":
     main()

@@ -40,7 +40,7 @@ class Document:
     @classmethod
     def read(cls, path: Path) -> Document:
         """Read a machine file; MachineError where load_machine raises it."""
-        load_machine(path)
+        path = load_machine(path).path
         text = path.read_bytes().decode("utf-8-sig")
         return cls(path, text, tomllib.loads(text))
 

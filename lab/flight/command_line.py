@@ -84,13 +84,13 @@ def log(
     refuse_foreign_table(out)
     if plot is not None:
         refuse_foreign_picture(plot)
+    if plot is not None:
+        from turnbuckle.lab.flight.picture import draw
     recording = read_recording(dump, file)
     warn_of_flaws(recording)
     write_table(recording, out)
     typer.echo(f"{out}: {len(recording.numbers)} cycles")
     if plot is not None:
-        from turnbuckle.lab.flight.picture import draw
-
         draw(recording, plot)
         typer.echo(f"picture: {plot}")
 

@@ -1,25 +1,28 @@
 """Runs a machine's program, with real adapters or with simulated drives, and tells what it does."""
 
+from __future__ import annotations
+
 import os
 import signal
 import subprocess
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from turnbuckle.codegen.processes import hear_of_death
-from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.identity import refuse_other
 from turnbuckle.lab.live.program import build_program
-from turnbuckle.lab.live.simulated import Bench, simulated_drives
 from turnbuckle.lab.live.telemetry import Telemetry, default_path
 from turnbuckle.lab.live.words import STATES, word
 from turnbuckle.model.machine import Machine
+
+if TYPE_CHECKING:
+    from turnbuckle.lab.live.simulated import Bench
 
 POLL = 0.05
 """Seconds between two looks at the telemetry."""
@@ -70,19 +73,27 @@ def run_machine(machine: Machine, order: Order, voices: Voices) -> int:
     with ExitStack() as stack:
         reach = [f"--bus={bus}" for bus in order.buses]
         if order.simulated:
-            bench = bench_of(machine)._replace(conditions=WIRES[order.wire])
-            drives = simulated_drives(bench, telemetry, order.buses)
-            reach = stack.enter_context(drives)
+            reach = stack.enter_context(simulated(machine, order, telemetry))
         process = start(program, [*reach, *arguments(machine, order)])
         stack.callback(finish, process)
         ends_at_fault = order.simulated or order.seconds is not None
         return follow(process, telemetry, voices, ends_at_fault)
 
 
+def simulated(machine: Machine, order: Order, telemetry: Path) -> AbstractContextManager[list[str]]:
+    """The program's options for simulated drives: see simulated_drives."""
+    from turnbuckle.lab.drives.wire import WIRES  # here: real drives need no Python
+    from turnbuckle.lab.live.simulated import simulated_drives
+
+    bench = bench_of(machine)._replace(conditions=WIRES[order.wire])
+    return simulated_drives(bench, telemetry, order.buses)
+
+
 def bench_of(machine: Machine) -> Bench:
     """What simulated drives simulate; MachineError for a machine that cannot be simulated."""
     from turnbuckle.codegen.bind import load
     from turnbuckle.lab.demo import plan_task, plant_of
+    from turnbuckle.lab.live.simulated import Bench
 
     if machine.plant is None and not machine.rails:
         return Bench(machine, None, None)
@@ -104,7 +115,7 @@ def arguments(machine: Machine, order: Order) -> list[str]:
     return [*words, *order.further]
 
 
-def start(program: Path, words: Sequence[str]) -> "subprocess.Popen[bytes]":
+def start(program: Path, words: Sequence[str]) -> subprocess.Popen[bytes]:
     """Start the program out of reach of the terminal's Ctrl-C, which is handed on once instead.
 
     When this process dies, the program stops softly: nobody would watch it any more.
@@ -119,7 +130,7 @@ def start(program: Path, words: Sequence[str]) -> "subprocess.Popen[bytes]":
     )
 
 
-def finish(process: "subprocess.Popen[bytes]") -> None:
+def finish(process: subprocess.Popen[bytes]) -> None:
     """Leave no program behind, whatever went wrong here."""
     if process.poll() is None:
         process.send_signal(signal.SIGTERM)
@@ -127,7 +138,7 @@ def finish(process: "subprocess.Popen[bytes]") -> None:
 
 
 def follow(
-    process: "subprocess.Popen[bytes]", path: Path, voices: Voices, ends_at_fault: bool
+    process: subprocess.Popen[bytes], path: Path, voices: Voices, ends_at_fault: bool
 ) -> int:
     """Tell states and causes as they change until the program ends; its exit status."""
     teller, relay = Teller(process.pid, path, voices.say), Relay(process, voices)
@@ -167,7 +178,7 @@ def stop_signals() -> Iterator[list[int]]:
 class Relay:
     """Hands on what a program writes, in the order in which it happened: states, report, cause."""
 
-    def __init__(self, process: "subprocess.Popen[bytes]", voices: Voices) -> None:
+    def __init__(self, process: subprocess.Popen[bytes], voices: Voices) -> None:
         assert process.stdout is not None and process.stderr is not None
         self._out, self._err = process.stdout, process.stderr
         self._voices = voices

@@ -7,6 +7,13 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
+SET_UP_BY = (
+    "pyproject.toml",
+    "requirements.lock",
+    "requirements-dev.lock",
+    ".ci/packages",
+    ".ci/packages_of_tests",
+)
 CLEAN = '#include "tb_types.h"\nreal_t f(real_t x);\nreal_t f(real_t x) { return x * TB_C(0.1); }\n'
 TYPES = """
 #ifdef TB_REAL_FLOAT
@@ -47,14 +54,15 @@ def test_a_second_set_up_has_nothing_to_do() -> None:
     assert run("make", "--question", "setup").returncode == 0
 
 
-def test_a_changed_lock_asks_for_a_new_set_up(tmp_path: Path) -> None:
-    for name in ("Makefile", "requirements.lock", "pyproject.toml", ".ci/packages"):
+@pytest.mark.parametrize("changed", SET_UP_BY)
+def test_a_changed_list_asks_for_a_new_set_up(changed: str, tmp_path: Path) -> None:
+    for name in ("Makefile", *SET_UP_BY):
         target = tmp_path / name
         target.parent.mkdir(exist_ok=True)
         target.write_bytes((ROOT / name).read_bytes())
     (tmp_path / ".venv").symlink_to(ROOT / ".venv")
     assert run("make", "--question", "setup", folder=tmp_path).returncode == 0
-    with (tmp_path / "requirements.lock").open("a") as lock:
+    with (tmp_path / changed).open("a") as lock:
         lock.write("\n")
     assert run("make", "--question", "setup", folder=tmp_path).returncode == 1
 
