@@ -7,6 +7,10 @@
 
 #include "recorder.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Where the recording goes. */
 typedef struct {
     const char *path;
@@ -18,5 +22,9 @@ bool tb_record_open(tb_record *record, const char *path);
 
 /** Write the recording. False, with a message, where it is not whole. */
 bool tb_record_write(const tb_record *record, const tb_recorder *recorder);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
