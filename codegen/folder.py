@@ -9,7 +9,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Mapping
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from turnbuckle.model.refusal import Refusal
 
@@ -52,12 +52,20 @@ def refuse_foreign(folder: Path, manifest: str) -> None:
             "--out takes a new, an empty or a generated folder"
         )
     if manifest in entries:
-        strangers = set(entries) - set(names_in(folder / manifest)) - {manifest}
+        present = {path.relative_to(folder).as_posix() for path in folder.rglob("*")}
+        strangers = present - with_folders(names_in(folder / manifest)) - {manifest}
         if strangers:
             raise FolderError(
                 f"{folder}: holds {min(strangers)!r}, which was not generated and would be lost; "
                 "move it away, or name another folder with --out"
             )
+
+
+def with_folders(names: list[str]) -> set[str]:
+    """The names, and the folders that they are in."""
+    return {
+        str(path) for name in names for path in (PurePosixPath(name), *PurePosixPath(name).parents)
+    }
 
 
 def names_in(manifest: Path) -> list[str]:
@@ -74,6 +82,7 @@ def fill(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """Write the files; readable by everyone, as the rest of a checkout is."""
     folder.chmod(0o755)
     for name, content in files.items():
+        (folder / name).parent.mkdir(mode=0o755, exist_ok=True)
         with (folder / name).open("wb") as stream:
             stream.write(content.encode() if isinstance(content, str) else content)
             stream.flush()

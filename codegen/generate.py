@@ -21,6 +21,7 @@ from turnbuckle.codegen.enumeration import enumeration
 from turnbuckle.codegen.folder import write_folder
 from turnbuckle.codegen.ir import Routine
 from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.prefix import PLAIN, prefixed, runtime_files
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.refusal import Refusal
@@ -120,8 +121,11 @@ def canonical(machine: Machine) -> str:
     return json.dumps(content, sort_keys=True)
 
 
-def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
-    """Contents of every generated file, by name."""
+def render(model: Model, accuracies: dict[str, Accuracy], prefix: str = PLAIN) -> dict[str, str]:
+    """Contents of every generated file, by name; with a prefix of its own also of the runtime.
+
+    Raises PrefixError where names of the C would clash.
+    """
     machine, identity = model.machine, machine_hash(model)
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
@@ -129,7 +133,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
         keep_trailing_newline=True,
         autoescape=False,
     )
-    common = {"banner": banner(machine, identity)}
+    common = {"banner": banner(machine, identity, prefix)}
     files = {
         "tb_types.h": environment.get_template("tb_types.h.jinja").render(
             common, statuses=list(Status)
@@ -155,7 +159,9 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
         for kind in ("h", "c"):
             template = environment.get_template(f"topic.{kind}.jinja")
             files[f"tb_{topic}.{kind}"] = template.render(fields)
-    files[MANIFEST] = manifest(model, identity, files)
+    if prefix != PLAIN:
+        files = prefixed(files | runtime_files(machine, common["banner"]), prefix)
+    files[MANIFEST] = manifest(model, identity, files, prefix)
     return files
 
 
@@ -191,17 +197,23 @@ def once(functions: list[CFunction]) -> list[CFunction]:
     return functions
 
 
-def banner(machine: Machine, identity: str) -> str:
+def banner(machine: Machine, identity: str, prefix: str = PLAIN) -> str:
     """First lines of every file: how to make it again, and from what it was made."""
+    option = "" if prefix == PLAIN else f" --prefix {prefix}"
     return (
         f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
-        f" --out generated/{machine.name}\n"
+        f" --out generated/{folder_name(machine, prefix)}{option}\n"
         f" * Machine {identity}, generator {GENERATOR_VERSION}, casadi {CASADI_VERSION}."
         " Do not edit. */"
     )
 
 
-def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
+def folder_name(machine: Machine, prefix: str) -> str:
+    """The folder where the C goes if no other is named."""
+    return machine.name if prefix == PLAIN else f"{prefix}_{machine.name}"
+
+
+def manifest(model: Model, identity: str, files: dict[str, str], prefix: str) -> str:
     """What was generated, from what: the hash of every file, the shape of every function."""
     functions: dict[str, Any] = {}
     for routine in model.items():
@@ -213,6 +225,7 @@ def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
     content = {
         "machine": model.machine.name,
         "hash": identity,
+        "prefix": prefix,
         "generator": GENERATOR_VERSION,
         "casadi": CASADI_VERSION,
         "aliases": model.aliases(),
@@ -227,10 +240,10 @@ def port(entry: Input | Output) -> dict[str, Any]:
     return {"name": entry.name, "shape": list(entry.shape), "unit": entry.unit}
 
 
-def generate(machine: Machine) -> dict[str, str]:
-    """Contents of every generated file of a machine, by name."""
+def generate(machine: Machine, prefix: str = PLAIN) -> dict[str, str]:
+    """Contents of every generated file of a machine, by name; PrefixError as render."""
     model = build_model(machine)
-    return render(model, measured_accuracy(model.machine, model.items()))
+    return render(model, measured_accuracy(model.machine, model.items()), prefix)
 
 
 def write(files: dict[str, str], folder: Path) -> None:

@@ -174,7 +174,7 @@ def test_compare_refuses_a_bad_machine_file_with_its_key(which: int, tmp_path: P
 def quick_c(monkeypatch: pytest.MonkeyPatch) -> None:
     """Generation takes no time."""
     files = {turnbuckle.codegen.generate.MANIFEST: '{"hash": "0", "functions": {}, "aliases": {}}'}
-    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", lambda machine: files)
+    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", lambda machine, prefix: files)
 
 
 @pytest.mark.usefixtures("quick_c")
