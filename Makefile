@@ -19,6 +19,10 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
+# What only tests need is installed before the tests.
+TEST_PACKAGES := .ci/test_packages
+TEST_SETUP := $(VENV)/test-setup-$(shell cat $(TEST_PACKAGES) | sha256sum | cut -c 1-16)
+
 .PHONY: all help setup generate verify build demo test soak campaign mutants figures bench lint lock clean distclean
 .PHONY: lint_python lint_c
 
@@ -39,6 +43,11 @@ $(SETUP):
 	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: --require-hashes --requirement requirements.lock
 	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --no-index --no-deps --no-build-isolation --editable .
 	rm -f $(VENV)/setup-*
+	touch $@
+
+$(TEST_SETUP): $(SETUP)
+	.ci/install_packages $(TEST_PACKAGES)
+	rm -f $(VENV)/test-setup-*
 	touch $@
 
 generate: $(SETUP) ## write the C of every machine in machines/ to generated/
@@ -90,7 +99,7 @@ demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 # One more than there are cores: some tests wait, for simulated drives or another process.
 WORKERS ?= $(shell expr $$(nproc) + 1)
 
-test: lint ## lint, then every test
+test: $(TEST_SETUP) lint ## lint, then every test; installs the Debian packages that only they need
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
 soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
