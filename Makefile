@@ -100,7 +100,7 @@ demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 # One more than there are cores: some tests wait, for simulated drives or another process.
 WORKERS ?= $(shell expr $$(nproc) + 1)
 
-test: lint ## lint, then every test
+test: lint ## lint, then every test; installs what only they need
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
 soak: $(TEST_SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires

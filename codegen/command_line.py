@@ -31,7 +31,17 @@ def generate(
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Folder for the C files, new or generated before.  [default: generated/<name>]",
+            help="Folder for the C files, new or generated before.  [default: generated/<name>,"
+            " or generated/<prefix>_<name>]",
+            show_default=False,
+        ),
+    ] = None,
+    prefix: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WORD",
+            help="Begin every name with it, not with tb, and add the runtime: for several machines"
+            " in one program.",
             show_default=False,
         ),
     ] = None,
@@ -53,15 +63,20 @@ def generate(
     \b
     Example:
       turnbuckle generate machines/yoon2023.toml --out firmware/controller
+      turnbuckle generate machines/yoon2023.toml --prefix left
     """
     begin = time.perf_counter()
+    from turnbuckle.codegen.generate import folder_name
+    from turnbuckle.codegen.prefix import PLAIN, refuse_prefix
     from turnbuckle.model.machine import load_machine
 
+    if prefix is not None:
+        refuse_prefix(prefix)
     machine = load_machine(file)
-    folder = out or Path("generated") / machine.name
+    folder = out or Path("generated") / folder_name(machine, prefix or PLAIN)
     warn_of_weakness(machine, strict)
     with working(f"generating {machine.name}"):
-        files, changed = write_changed(machine, folder, force)
+        files, changed = write_changed(machine, folder, prefix or PLAIN, force)
     say_what_was_generated(machine, folder, files, changed, time.perf_counter() - begin)
 
 
@@ -79,13 +94,15 @@ def warn_of_weakness(machine: Machine, strict: bool) -> None:
     complain(f"warning: {message}")
 
 
-def write_changed(machine: Machine, folder: Path, force: bool) -> tuple[dict[str, str], bool]:
+def write_changed(
+    machine: Machine, folder: Path, prefix: str, force: bool
+) -> tuple[dict[str, str], bool]:
     """The generated files of a machine, and whether the folder had to be written."""
     from turnbuckle.codegen.folder import refuse_foreign
     from turnbuckle.codegen.generate import MANIFEST, generate, write
 
     refuse_foreign(folder, MANIFEST, [machine.name], force)  # before the long work
-    files = generate(machine)
+    files = generate(machine, prefix)
     changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
     if changed:
         write(files, folder, force)

@@ -9,8 +9,8 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from turnbuckle.model.refusal import Refusal
@@ -62,7 +62,8 @@ def refuse_foreign(
         )
     if manifest in entries:
         found = read_manifest(folder / manifest)
-        strangers = set(entries) - found.files - {manifest}
+        present = {path.relative_to(folder).as_posix() for path in folder.rglob("*")}
+        strangers = present - with_folders(found.files) - {manifest}
         if strangers:
             raise FolderError(
                 f"{folder}: holds {min(strangers)!r}, which was not generated and would be lost; "
@@ -70,6 +71,13 @@ def refuse_foreign(
             )
         if not force:
             refuse_other_machines(folder, found.machines, machines)
+
+
+def with_folders(names: Iterable[str]) -> set[str]:
+    """The names, and the folders that they are in."""
+    return {
+        str(path) for name in names for path in (PurePosixPath(name), *PurePosixPath(name).parents)
+    }
 
 
 def refuse_other_machines(folder: Path, found: Sequence[str], machines: Sequence[str]) -> None:
@@ -110,6 +118,7 @@ def fill(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """Write the files; readable by everyone, as the rest of a checkout is."""
     folder.chmod(0o755)
     for name, content in files.items():
+        (folder / name).parent.mkdir(mode=0o755, exist_ok=True)
         with (folder / name).open("wb") as stream:
             stream.write(content.encode() if isinstance(content, str) else content)
             stream.flush()

@@ -19,6 +19,7 @@ from turnbuckle.codegen.folder import write_folder
 from turnbuckle.codegen.identity import CASADI_VERSION, machine_hash
 from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model, build_model
+from turnbuckle.codegen.prefix import PLAIN, prefixed, runtime_files
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Input, Output, Status
 from turnbuckle.model.symbolic.topics import TOPICS
@@ -30,8 +31,11 @@ LICENCE = "0BSD"
 TEMPLATES = Path(__file__).parent / "templates"
 
 
-def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
-    """Contents of every generated file, by name."""
+def render(model: Model, accuracies: dict[str, Accuracy], prefix: str = PLAIN) -> dict[str, str]:
+    """Contents of every generated file, by name; with a prefix of its own also of the runtime.
+
+    Raises PrefixError where names of the C would clash.
+    """
     machine, identity = model.machine, machine_hash(model)
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
@@ -39,7 +43,7 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
         keep_trailing_newline=True,
         autoescape=False,
     )
-    common = {"banner": banner(machine, identity)}
+    common = {"banner": banner(machine, identity, prefix)}
     files = {
         "tb_types.h": environment.get_template("tb_types.h.jinja").render(
             common, statuses=list(Status), version=VERSION, version_number=version_number(VERSION)
@@ -65,7 +69,9 @@ def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
         for kind in ("h", "c"):
             template = environment.get_template(f"topic.{kind}.jinja")
             files[f"tb_{topic}.{kind}"] = template.render(fields)
-    files[MANIFEST] = manifest(model, identity, files)
+    if prefix != PLAIN:
+        files = prefixed(files | runtime_files(machine, common["banner"]), prefix)
+    files[MANIFEST] = manifest(model, identity, files, prefix)
     return files
 
 
@@ -101,17 +107,23 @@ def once(functions: list[CFunction]) -> list[CFunction]:
     return functions
 
 
-def banner(machine: Machine, identity: str) -> str:
+def banner(machine: Machine, identity: str, prefix: str = PLAIN) -> str:
     """First lines of every file: how to make it again, from what it was made, whose it is."""
+    option = "" if prefix == PLAIN else f" --prefix {prefix}"
     return (
         f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
-        f" --out generated/{machine.name}\n"
+        f" --out generated/{folder_name(machine, prefix)}{option}\n"
         f" * Machine {identity}, turnbuckle {VERSION}, casadi {CASADI_VERSION}. Do not edit.\n"
         f" * SPDX-License-Identifier: {LICENCE} */"
     )
 
 
-def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
+def folder_name(machine: Machine, prefix: str) -> str:
+    """The folder where the C goes if no other is named."""
+    return machine.name if prefix == PLAIN else f"{prefix}_{machine.name}"
+
+
+def manifest(model: Model, identity: str, files: dict[str, str], prefix: str) -> str:
     """What was generated, from what: the hash of every file, the shape of every function."""
     functions: dict[str, Any] = {}
     for routine in model.items():
@@ -123,6 +135,7 @@ def manifest(model: Model, identity: str, files: dict[str, str]) -> str:
     content = {
         "machine": model.machine.name,
         "hash": identity,
+        "prefix": prefix,
         "turnbuckle": VERSION,
         "casadi": CASADI_VERSION,
         "aliases": model.aliases(),
@@ -137,10 +150,10 @@ def port(entry: Input | Output) -> dict[str, Any]:
     return {"name": entry.name, "shape": list(entry.shape), "unit": entry.unit}
 
 
-def generate(machine: Machine) -> dict[str, str]:
-    """Contents of every generated file of a machine, by name."""
+def generate(machine: Machine, prefix: str = PLAIN) -> dict[str, str]:
+    """Contents of every generated file of a machine, by name; PrefixError as render."""
     model = build_model(machine)
-    return render(model, measured_accuracy(model.machine, model.items()))
+    return render(model, measured_accuracy(model.machine, model.items()), prefix)
 
 
 def write(files: dict[str, str], folder: Path, force: bool = False) -> None:

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Largest tension of every cable over all directions of a force that the two adjacent cables
  *    bear, T_min = 0  (Brau eqs 14, 17 with adjacent cables only).
  *  structure [-] (2 x 5), force [N] (scalar)  ->  tension [N] (5)
@@ -71,5 +75,9 @@ tb_status tb_largest_tensions_eq12(const real_t structure[10], const real_t forc
  *  Cost, all branches and steps: 97 add, 111 mul, 16 div, 7 sqrt, 48 compare, 57 select. */
 tb_status tb_largest_tension(const real_t structure[10], const real_t force[1], real_t
     tension[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

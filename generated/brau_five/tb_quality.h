@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Isotropic force I_F: the largest force in every direction; 0 outside the workspace  (Yoon
  *    section III-A, exact by the facets of {S T}; eq. 17 is a lower bound of it).
  *  pose [m] (2), rails [m] (0)  ->  force [N] (scalar)
@@ -81,5 +85,9 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
  *  Cost, all branches and steps: 2502 add, 2586 mul, 259 div, 59 sqrt, 1443 compare, 3931
  *    select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

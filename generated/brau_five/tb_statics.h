@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [-] (2 x 5), tension [N] (5)  ->  wrench [N] (2)
  *  Domain: structure with a sum of magnitudes of at most 40, else TB_OUT_OF_DOMAIN.
@@ -28,5 +32,9 @@ tb_status tb_wrench(const real_t structure[10], const real_t tension[5], real_t 
  *  Cost, all branches: 41 add, 55 mul, 8 div, 5 sqrt, 7 compare, 1 select. */
 tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
     wrench[2], real_t share[5]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

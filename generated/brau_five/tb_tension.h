@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
  *  structure [-] (2 x 5), wrench [N] (2)  ->  served [N] (2), inner [N] (2)
@@ -112,5 +116,9 @@ tb_status tb_distribute_tension_closest(const real_t structure[10], const real_t
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
 tb_status tb_distribute_tension(const real_t structure[10], const real_t wrench[2], real_t
     tension[5], real_t delivered[2], real_t kkt_residual[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (0)  ->  tension [N] (4)
@@ -72,5 +76,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
  *    at most 1.1e-05 N (worst found 2.7e-06 at pose (0.5, 0.5578)).
  *  Cost, all branches: 134 add, 161 mul, 15 div, 6 sqrt, 46 compare, 117 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions by the kernel of S: the least of them is T_min; T_max is not looked at  (Brau eqs
  *    3-5).
  *  structure [-] (3 x 4), wrench [N] (3)  ->  tension [N] (4)
@@ -58,5 +62,9 @@ tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t forc
  *  Cost, all branches and steps: 194 add, 255 mul, 26 div, 9 sqrt, 76 compare, 62 select. */
 tb_status tb_largest_tension(const real_t structure[12], const real_t force[1], real_t
     tension[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
  *  Domain: tension with a sum of magnitudes of at most 80000 N, else TB_OUT_OF_DOMAIN.
@@ -36,5 +40,9 @@ tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t f
  *  Cost, all branches: 52 add, 68 mul, 3 div, 3 compare, 1 select. */
 tb_status tb_load_tension(const real_t structure[12], const real_t tension[4], const real_t
     hand_force[3], real_t load[4]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (0)  ->  points [m] (4 x 3)
  *  Error of points: double at most 0.0e+00 m; float at most 1.2e-07 m.
@@ -108,5 +112,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
 tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     length_rates[4], const real_t rail_rates[1], real_t pose[3], real_t residual[1], real_t
     structure[12], real_t velocity[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (3), rails [m] (0)  ->  tension [N] (4)
@@ -53,5 +57,9 @@ tb_status tb_tension_factor(const real_t pose[3], const real_t rails[1], real_t 
  *  Visits 6 subsets of the cables.
  *  Cost, all branches and steps: 207 add, 269 mul, 18 div, 13 sqrt, 62 compare, 51 select. */
 tb_status tb_isotropic_force(const real_t pose[3], const real_t rails[1], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

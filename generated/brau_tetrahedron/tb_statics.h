@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [-] (3 x 4), tension [N] (4)  ->  wrench [N] (3)
  *  Domain: structure with a sum of magnitudes of at most 48, else TB_OUT_OF_DOMAIN.
@@ -14,5 +18,9 @@
  *  Error of wrench: double at most 4.4e-14 N; float at most 2.2e-05 N.
  *  Cost, all branches: 9 add, 12 mul. */
 tb_status tb_wrench(const real_t structure[12], const real_t tension[4], real_t wrench[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

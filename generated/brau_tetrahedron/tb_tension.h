@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm within their bounds that exert a wrench  (Yoon eq. 12, by active
  *    sets: Goldfarb, Idnani 1983).
  *  structure [-] (3 x 4), wrench [N] (3)  ->  tension [N] (4), delivered [N] (3), kkt_residual
@@ -127,5 +131,9 @@ tb_status tb_distribute_tension_closest(const real_t structure[12], const real_t
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
 tb_status tb_distribute_tension(const real_t structure[12], const real_t wrench[3], real_t
     tension[4], real_t delivered[3], real_t kkt_residual[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (3)  ->  torque [N m] (3)
  *  Domain: tension with a sum of magnitudes of at most 60000 N, else TB_OUT_OF_DOMAIN.
@@ -35,5 +39,9 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  Cost, all branches: 21 add, 28 mul, 2 div, 2 compare, 1 select. */
 tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], const real_t
     hand_force[2], real_t load[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

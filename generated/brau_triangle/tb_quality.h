@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (0)  ->  tension [N] (3)
@@ -72,5 +76,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
  *    float at most 1.1e-04 N (worst found 2.7e-05 at pose (0.4994, 0.8636)).
  *  Cost, all branches: 58 add, 73 mul, 9 div, 5 sqrt, 24 compare, 52 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

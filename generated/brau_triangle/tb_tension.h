@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm within their bounds that exert a wrench  (Yoon eq. 12).
  *  structure [-] (2 x 3), wrench [N] (2)  ->  tension [N] (3), delivered [N] (2), kkt_residual
  *    [N] (scalar)
@@ -147,5 +151,9 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
 tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2], real_t
     tension[3], real_t delivered[2], real_t kkt_residual[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at  (Brau
  *    eqs 3-5, a quadratic program for more than one redundant cable).
  *  structure [1, m] (3 x 6), wrench [N, N m] (3)  ->  tension [N] (6)
@@ -61,5 +65,9 @@ tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t forc
  *  Cost, all branches and steps: 629 add, 778 mul, 62 div, 33 sqrt, 259 compare, 197 select. */
 tb_status tb_largest_tension(const real_t structure[18], const real_t force[1], real_t
     tension[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (6)  ->  points [m] (6 x 2)
  *  Domain: rails with a sum of magnitudes of at most 8.5416 m, else TB_OUT_OF_DOMAIN.
@@ -124,5 +128,9 @@ tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6], 
 tb_status tb_locate(const real_t guess[3], const real_t lengths[6], const real_t rails[6],
     const real_t length_rates[6], const real_t rail_rates[6], real_t pose[3], real_t
     residual[1], real_t structure[18], real_t velocity[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

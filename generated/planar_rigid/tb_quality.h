@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m, rad] (3), rails [m] (6)  ->  tension [N] (6)
@@ -58,5 +62,9 @@ tb_status tb_tension_factor(const real_t pose[3], const real_t rails[6], real_t 
  *  Visits 15 subsets of the cables.
  *  Cost, all branches and steps: 658 add, 816 mul, 53 div, 39 sqrt, 220 compare, 153 select. */
 tb_status tb_isotropic_force(const real_t pose[3], const real_t rails[6], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [1, m] (3 x 6), tension [N] (6)  ->  wrench [N, N m] (3)
  *  Domain: structure with a sum of magnitudes of at most 72 1, m, else TB_OUT_OF_DOMAIN.
@@ -41,5 +45,9 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6], cons
  *  Cost, all branches: 69 add, 65 mul, 6 div, 6 sqrt, 6 compare. */
 tb_status tb_rail_forces(const real_t pose[3], const real_t rails[6], const real_t tension[6],
     real_t force[6]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

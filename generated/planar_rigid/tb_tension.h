@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm within their bounds that exert a wrench  (Yoon eq. 12, by active
  *    sets: Goldfarb, Idnani 1983).
  *  structure [1, m] (3 x 6), wrench [N, N m] (3)  ->  tension [N] (6), delivered [N] (3),
@@ -127,5 +131,9 @@ tb_status tb_distribute_tension_closest(const real_t structure[18], const real_t
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_scale. */
 tb_status tb_distribute_tension(const real_t structure[18], const real_t wrench[3], real_t
     tension[6], real_t delivered[3], real_t kkt_residual[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at  (Brau
  *    eqs 3-5, a quadratic program for more than one redundant cable).
  *  structure [1, m] (6 x 8), wrench [N, N m] (6)  ->  tension [N] (8)
@@ -64,5 +68,9 @@ tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t forc
  *    select. */
 tb_status tb_largest_tension(const real_t structure[48], const real_t force[1], real_t
     tension[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

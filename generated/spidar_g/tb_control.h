@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (8)  ->  torque [N m] (8)
  *  Domain: tension with a sum of magnitudes of at most 64000 N, else TB_OUT_OF_DOMAIN.
@@ -37,5 +41,9 @@ tb_status tb_wall_force(const real_t pose[6], const real_t velocity[6], real_t f
  *  Cost, all branches: 308 add, 412 mul, 6 div, 6 compare, 1 select. */
 tb_status tb_load_tension(const real_t structure[48], const real_t tension[8], const real_t
     hand_force[6], real_t load[8]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_BUSES 4
 #define TB_DRIVES 8 /* cable drives in the order of the cables, then base drives in that of the rails */
 #define TB_NODE_FRAMES 1 /* of nodes that are no drives */
@@ -104,5 +108,9 @@ typedef struct {
 extern const tb_bus_table tb_buses[TB_BUSES];
 extern const tb_drive_table tb_drives[TB_DRIVES];
 extern const tb_node_frame tb_node_frames[TB_NODE_FRAMES];
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

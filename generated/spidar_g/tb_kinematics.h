@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (0)  ->  points [m] (8 x 3)
  *  Error of points: double at most 0.0e+00 m; float at most 9.5e-08 m.
@@ -111,5 +115,9 @@ tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8], 
 tb_status tb_locate(const real_t guess[6], const real_t lengths[8], const real_t rails[1],
     const real_t length_rates[8], const real_t rail_rates[1], real_t pose[6], real_t
     residual[1], real_t structure[48], real_t velocity[6]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

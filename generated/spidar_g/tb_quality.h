@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m, rad] (6), rails [m] (0)  ->  tension [N] (8)
@@ -62,5 +66,9 @@ tb_status tb_tension_factor(const real_t pose[6], const real_t rails[1], real_t 
  *  Cost, all branches and steps: 10810 add, 12625 mul, 349 div, 350 sqrt, 2591 compare, 675
  *    select. */
 tb_status tb_isotropic_force(const real_t pose[6], const real_t rails[1], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

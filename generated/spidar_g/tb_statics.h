@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [1, m] (6 x 8), tension [N] (8)  ->  wrench [N, N m] (6)
  *  Domain: structure with a sum of magnitudes of at most 192 1, m, else TB_OUT_OF_DOMAIN.
@@ -14,5 +18,9 @@
  *  Error of wrench: double at most 3.5e-14 N, N m; float at most 1.9e-05 N, N m.
  *  Cost, all branches: 42 add, 48 mul. */
 tb_status tb_wrench(const real_t structure[48], const real_t tension[8], real_t wrench[6]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,26 @@
 #include <math.h>
 #include <stdbool.h>
 
+/* Options of the compiler that let it reckon as if there were no NaN, which would take every guard
+ * away without a word, or that change bits. Not all of them can be seen here: docs/targets.md. */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "NaN would pass every guard: compile without -ffast-math, -Ofast and -ffinite-math-only"
+#endif
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
+    || defined(__NO_SIGNED_ZEROS__)
+#error "other bits: compile without -ffast-math, -Ofast and all of -funsafe-math-optimizations"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "other bits: real numbers keep more digits than their type; on 32-bit x86 use -mfpmath=sse"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A constant without a suffix is a double: compile without -fsingle-precision-constant. */
+typedef char tb_constants_are_double[sizeof(1.0) == sizeof(double) ? 1 : -1];
+
 /* One source, two precisions: compile with -DTB_REAL_FLOAT for single precision. Use -std=c99 or
  * -ffp-contract=off, so that every target computes the same bits, and -fno-math-errno, so that the
  * square root is one instruction. */
@@ -38,5 +58,9 @@ typedef enum {
 
 static inline real_t tb_min(const real_t a, const real_t b) { return a < b ? a : b; }
 static inline real_t tb_max(const real_t a, const real_t b) { return a > b ? a : b; }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions by the kernel of S: the least of them is T_min; T_max is not looked at  (Brau eqs
  *    3-5).
  *  structure [-] (2 x 3), wrench [N] (2)  ->  tension [N] (3)
@@ -82,5 +86,9 @@ tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force
  *  Cost, all branches and steps: 45 add, 60 mul, 10 div, 5 sqrt, 27 compare, 32 select. */
 tb_status tb_largest_tension(const real_t structure[6], const real_t force[1], real_t
     tension[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (3)  ->  torque [N m] (3)
  *  Domain: tension with a sum of magnitudes of at most 30000 N, else TB_OUT_OF_DOMAIN.
@@ -55,5 +59,9 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[6]);
  *  Cost, all branches: 42 add, 30 mul, 30 compare, 18 select. */
 tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t
     measured[6], real_t next_memory[18], real_t force[6]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (6)  ->  points [m] (3 x 2)
  *  Domain: rails with a sum of magnitudes of at most 8.5416 m, else TB_OUT_OF_DOMAIN.
@@ -122,5 +126,9 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
  *    3.806e-05)).
  *  Cost, all branches: 13 add, 12 mul, 3 div, 3 sqrt, 3 compare. */
 tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[6], real_t jacobian[18]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (6)  ->  tension [N] (3)
@@ -90,5 +94,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
  *    2.191e-05)).
  *  Cost, all branches: 62 add, 74 mul, 9 div, 5 sqrt, 24 compare, 52 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

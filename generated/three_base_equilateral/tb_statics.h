@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [-] (2 x 3), tension [N] (3)  ->  wrench [N] (2)
  *  Domain: structure with a sum of magnitudes of at most 24, else TB_OUT_OF_DOMAIN.
@@ -39,5 +43,9 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6], cons
  *  Cost, all branches: 15 add, 18 mul, 3 div, 3 sqrt, 3 compare. */
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[6], const real_t tension[3],
     real_t force[6]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm above T_min, as the kernel of S allows; T_max is not looked at  (Brau
  *    eqs 3-5, a quadratic program for more than one redundant cable).
  *  structure [-] (2 x 4), wrench [N] (2)  ->  tension [N] (4)
@@ -68,5 +72,9 @@ tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force
  *  Cost, all branches and steps: 73 add, 89 mul, 13 div, 6 sqrt, 39 compare, 46 select. */
 tb_status tb_largest_tension(const real_t structure[8], const real_t force[1], real_t
     tension[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
@@ -70,5 +74,9 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *  Cost, all branches: 44 add, 36 mul, 4 compare. */
 tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
     load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (4)  ->  points [m] (4 x 2)
  *  Domain: rails with a sum of magnitudes of at most 5.6944 m, else TB_OUT_OF_DOMAIN.
@@ -122,5 +126,9 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
  *    (0.7111, 0.1959), rails (0.253, 0.1952, 0.7103, 0.2306)).
  *  Cost, all branches: 10 add, 8 mul, 4 div, 4 sqrt, 4 compare. */
 tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[16]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

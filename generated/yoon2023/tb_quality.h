@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (4)  ->  tension [N] (4)
@@ -87,5 +91,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t ma
  *    pose (0.2132, 0.4584), rails (0.3332, 0.1484, 0.2112, 0.4344)).
  *  Cost, all branches: 134 add, 178 mul, 17 div, 6 sqrt, 47 compare, 123 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

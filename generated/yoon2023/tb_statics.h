@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [-] (2 x 4), tension [N] (4)  ->  wrench [N] (2)
  *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
@@ -42,5 +46,9 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4], cons
  *  Cost, all branches: 14 add, 12 mul, 4 div, 4 sqrt, 4 compare. */
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real_t tension[4],
     real_t force[4]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

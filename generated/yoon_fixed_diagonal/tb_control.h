@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
@@ -36,5 +40,9 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  Cost, all branches: 28 add, 35 mul, 2 div, 2 compare, 1 select. */
 tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
     hand_force[2], real_t load[4]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

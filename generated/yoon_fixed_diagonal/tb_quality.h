@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (0)  ->  tension [N] (4)
@@ -75,5 +79,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
  *    float at most 1.8e-04 N (worst found 4.4e-05 at pose (0.5033, 0.2821)).
  *  Cost, all branches: 133 add, 174 mul, 17 div, 6 sqrt, 47 compare, 123 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Tensions of least norm within their bounds that exert a wrench, from cross products alone
  *    (Yoon eq. 12).
  *  structure [-] (2 x 4), wrench [N] (2)  ->  tension [N] (4), delivered [N] (2), kkt_residual
@@ -115,5 +119,9 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_scale. */
 tb_status tb_distribute_tension(const real_t structure[8], const real_t wrench[2], real_t
     tension[4], real_t delivered[2], real_t kkt_residual[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

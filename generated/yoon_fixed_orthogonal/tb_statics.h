@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Wrench of the cables on the platform W = S T  (Yoon eq. 7).
  *  structure [-] (2 x 4), tension [N] (4)  ->  wrench [N] (2)
  *  Domain: structure with a sum of magnitudes of at most 32, else TB_OUT_OF_DOMAIN.
@@ -28,5 +32,9 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *  Cost, all branches: 34 add, 49 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
 tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
     wrench[2], real_t share[4]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

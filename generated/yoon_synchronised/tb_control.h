@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Motor torque tau = r_p T  (Yoon section III-E).
  *  tension [N] (4)  ->  torque [N m] (4)
  *  Domain: tension with a sum of magnitudes of at most 40000 N, else TB_OUT_OF_DOMAIN.
@@ -56,5 +60,9 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[2]);
  *  Cost, all branches: 14 add, 10 mul, 10 compare, 6 select. */
 tb_status tb_base_pid(const real_t memory[6], const real_t target[2], const real_t measured[2],
     real_t next_memory[6], real_t force[2]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Pulley points b_i  (Yoon Fig. 9).
  *  rails [m] (2)  ->  points [m] (4 x 2)
  *  Domain: rails with a sum of magnitudes of at most 2.8472 m, else TB_OUT_OF_DOMAIN.
@@ -120,5 +124,9 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[2], const real_t
  *    0.4617), rails (0.3696, 0.01501)).
  *  Cost, all branches: 8 add, 6 mul, 4 div, 4 sqrt, 4 compare. */
 tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[2], real_t jacobian[8]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

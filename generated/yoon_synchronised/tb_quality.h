@@ -7,6 +7,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).
  *  pose [m] (2), rails [m] (2)  ->  tension [N] (4)
@@ -87,5 +91,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[2], real_t ma
  *    0.3757), rails (0.7118, 0.3683)).
  *  Cost, all branches: 132 add, 176 mul, 17 div, 6 sqrt, 47 compare, 123 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[2], real_t force[1]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

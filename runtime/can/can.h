@@ -14,6 +14,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_CAN_MOST_DATA 64u /* bytes in a frame; 8 in a classic one */
 
 /* Flags of a frame, to be added up. */
@@ -145,5 +149,9 @@ uint8_t tb_can_code_of_length(uint8_t length);
 
 /** What a result means and what to do about it: for people, without the name of the device. */
 const char *tb_can_result_text(tb_can_result result);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

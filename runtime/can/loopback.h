@@ -8,6 +8,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_LOOPBACK_DEPTH 64u /* frames that wait in each direction */
 
 /** Frames in the order they came. */
@@ -42,5 +46,9 @@ void tb_loopback_set_state(tb_loopback *loopback, tb_can_state state);
 
 /** Fault: refuse every frame (ENOBUFS), or no longer. */
 void tb_loopback_set_full(tb_loopback *loopback, bool full);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

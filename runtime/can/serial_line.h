@@ -9,6 +9,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_SERIAL_CLOSED (-1)
 
 /** Open the line at `path`. line: its file descriptor, or TB_SERIAL_CLOSED.
@@ -32,5 +36,9 @@ void tb_serial_close(int line, bool patient);
 
 /** Milliseconds that have passed on a clock that never leaps. */
 int64_t tb_serial_milliseconds(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

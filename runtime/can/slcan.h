@@ -13,6 +13,10 @@
 #include "can.h"
 #include "slcan_text.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_SLCAN_READ_AT_ONCE 1024u /* bytes: one system call reads dozens of frames */
 
 /** How far opening is. */
@@ -52,5 +56,9 @@ tb_can_result tb_slcan_open(tb_slcan *slcan, const char *path, uint32_t bit_rate
  *  TB_CAN_OK: it is open; else why not, and it is closed. Two seconds at most, however often. */
 tb_can_result tb_slcan_begin(tb_slcan *slcan, const char *path, uint32_t bit_rate);
 tb_can_result tb_slcan_proceed(tb_slcan *slcan);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

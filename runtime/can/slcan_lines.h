@@ -4,6 +4,10 @@
 
 #include "slcan.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** An adapter that nothing is known of, closed. */
 void tb_slcan_forget(tb_slcan *slcan);
 
@@ -16,5 +20,9 @@ tb_can_result tb_slcan_read_bytes(tb_slcan *slcan);
 
 /** The next item among the bytes that were read; TB_SLCAN_NOTHING when there are no more. */
 tb_slcan_item tb_slcan_next_item(tb_slcan *slcan, tb_can_frame *frame);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

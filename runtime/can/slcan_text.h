@@ -16,6 +16,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The longest line: letter, identifier, code, data, time stamp, carriage return. */
 #define TB_SLCAN_LONGEST_LINE (1u + 8u + 1u + (2u * TB_CAN_MOST_DATA) + 4u + 1u)
 
@@ -56,5 +60,9 @@ void tb_slcan_start(tb_slcan_reader *reader);
 /** Read one more character. A malformed line is skipped to its end.
  *  frame: written, wholly, only when the answer is TB_SLCAN_FRAME. */
 tb_slcan_item tb_slcan_read(tb_slcan_reader *reader, char character, tb_can_frame *frame);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

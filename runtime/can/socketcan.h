@@ -9,6 +9,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_SOCKETCAN_AHEAD 16u        /* frames on their way */
 #define TB_SOCKETCAN_READ_AT_ONCE 16u /* frames a system call reads */
 #define TB_SOCKETCAN_MOST_FILTERS 32u
@@ -37,5 +41,9 @@ typedef struct {
  *  TB_CAN_NO_PERMISSION, TB_CAN_NOT_CAN, TB_CAN_DOWN or TB_CAN_REFUSED (no FD, too many filters). */
 tb_can_result tb_socketcan_open(tb_socketcan *socketcan, const char *name,
                                 const tb_socketcan_options *options);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 
 #include "drive.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Objects */
 #define TB_OBJECT_MODE 0x6060u
 #define TB_OBJECT_MODE_DISPLAY 0x6061u
@@ -33,5 +37,9 @@ uint16_t tb_cia402_controlword(tb_power power, tb_goal goal, bool home, uint16_t
 
 /** Value of object 6060h for a mode. */
 uint8_t tb_cia402_mode(tb_mode mode);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Functions; "to" and "from" a drive. */
 #define TB_COB_NMT 0x000u           /* to all */
 #define TB_COB_SYNC 0x080u          /* to all: node 0 of TB_COB_EMCY */
@@ -34,8 +38,14 @@
 /** A frame of a length, all zero. */
 static inline tb_can_frame tb_cob_frame(uint32_t function, uint8_t node, uint8_t length)
 {
-    tb_can_frame const frame = {.id = function + node, .length = length};
+    tb_can_frame frame = {0, 0, 0, {0}};
+    frame.id = function + node;
+    frame.length = length;
     return frame;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -177,7 +177,7 @@ static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_repor
     report->torque = (real_t)link->status.torque * link->drive->torque_per_permille;
     report->statusword = link->status.statusword;
     report->error_code = link->emergency.code;
-    report->error_class = link->emergency.class;
+    report->error_class = link->emergency.error_class;
     report->power = link->power;
     report->homing = (uint8_t)homing(link);
     report->fresh = link->fresh;

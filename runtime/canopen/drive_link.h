@@ -16,6 +16,10 @@
 #include "pdo.h"
 #include "setup.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** One drive on its bus. */
 typedef struct {
     const tb_drive_table *drive;
@@ -56,5 +60,9 @@ bool tb_drive_link_setpoint(tb_drive_link *link, const tb_drive_order *order, tb
 
 /** Next frame of the drive's task. False: there is none. */
 bool tb_drive_link_acyclic(tb_drive_link *link, tb_can_frame *frame);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -13,6 +13,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Frames that are remembered: of some cycles, as an adapter takes its time. */
 #define TB_ECHO_FRAMES 64u
 
@@ -44,5 +48,9 @@ void tb_echo_hear(tb_echo *echo);
 
 /** Whether a received frame is one of the master's own. */
 bool tb_echo_take(tb_echo *echo, const tb_can_frame *frame);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -105,8 +105,8 @@ bool tb_emcy_take(tb_emcy *emergency, const tb_can_frame *frame)
         return false;
     }
     tb_emcy const said = {.code = tb_get_u16(frame->data),
-                          .class = (uint8_t)tb_emcy_class(tb_get_u16(frame->data))};
-    if ((said.code == 0) || (said.class > emergency->class)) {
+                          .error_class = (uint8_t)tb_emcy_class(tb_get_u16(frame->data))};
+    if ((said.code == 0) || (said.error_class > emergency->error_class)) {
         *emergency = said;
     }
     return true;

@@ -8,10 +8,14 @@
 #include "can.h"
 #include "drive.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** The emergency that stands: the first of the worst class since the last all-clear. */
 typedef struct {
-    uint16_t code; /* 0 for none */
-    uint8_t class; /* tb_error_class of code */
+    uint16_t code;       /* 0 for none */
+    uint8_t error_class; /* tb_error_class of code */
 } tb_emcy;
 
 /** Read an emergency message; code 0x0000 clears what stands. False: malformed, and ignored. */
@@ -22,5 +26,9 @@ tb_error_class tb_emcy_class(uint16_t code);
 
 /** An error code in words; a code that no one has described is named after its group. */
 const char *tb_emcy_text(uint16_t code);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 static inline void tb_put_u16(uint8_t bytes[2], uint16_t value)
 {
     bytes[0] = (uint8_t)(value & 0xFFu);
@@ -36,5 +40,9 @@ static inline int32_t tb_signed_32(uint32_t word)
 {
     return (int32_t)((int64_t)(word & 0x7FFFFFFFu) - (int64_t)(word & 0x80000000u));
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -17,6 +17,10 @@
 #include "supervisor_memory.h"
 #include "wishes.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** A machine under control. */
 typedef struct {
     tb_network network;
@@ -34,5 +38,9 @@ void tb_master_sync(tb_master *master);
 
 /** Go on with it: read the answers, decide, send. missed: cycles skipped since the last one. */
 void tb_master_run(tb_master *master, const tb_wishes *wishes, uint32_t missed);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

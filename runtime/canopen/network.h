@@ -18,6 +18,10 @@
 #include "echo.h"
 #include "supervisor.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** One bus; the counters are of the time since the last report. */
 typedef struct {
     tb_can_port *port;
@@ -48,5 +52,9 @@ void tb_network_collect(tb_network *network, tb_observation *seen);
 
 /** Send what the supervisor ordered. Nothing is sent to a bus that is off. */
 void tb_network_dispatch(tb_network *network, const tb_orders *orders);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What a node can be told to do. */
 typedef enum {
     TB_NMT_START = 0x01, /* operational: from now on it answers SYNC */
@@ -46,5 +50,9 @@ bool tb_heartbeat_take(tb_heartbeat *heartbeat, const tb_can_frame *frame);
 
 /** A cycle has passed. */
 void tb_heartbeat_tick(tb_heartbeat *heartbeat);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

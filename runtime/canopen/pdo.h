@@ -8,6 +8,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What TPDO1 carries. */
 typedef struct {
     int32_t position; /* increments */
@@ -21,5 +25,9 @@ tb_can_frame tb_pdo_position_frame(uint8_t node, uint16_t controlword, int32_t i
 
 /** Read TPDO1. False: not of its length, and status is left alone. */
 bool tb_pdo_take(tb_pdo_status *status, const tb_can_frame *frame);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -12,6 +12,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Abort codes that this client sends */
 #define TB_SDO_ABORT_TOGGLE 0x05030000u
 #define TB_SDO_ABORT_TIMEOUT 0x05040000u
@@ -80,5 +84,9 @@ void tb_sdo_tick(tb_sdo_client *client);
 
 /** An abort code in words. */
 const char *tb_sdo_abort_text(uint32_t code);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

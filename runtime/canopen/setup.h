@@ -21,6 +21,10 @@
 #include "nmt.h"
 #include "sdo.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** The task of one drive, and what the tasks before it reached. */
 typedef struct {
     const tb_drive_table *drive;
@@ -57,5 +61,9 @@ bool tb_setup_frame(tb_setup *setup, tb_heartbeat *heartbeat, tb_can_frame *fram
 
 /** A cycle has passed: go on with the task. answered: the drive answered this cycle's SYNC. */
 void tb_setup_advance(tb_setup *setup, const tb_heartbeat *heartbeat, bool answered);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

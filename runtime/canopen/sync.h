@@ -4,9 +4,17 @@
 
 #include "cob.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 static inline tb_can_frame tb_sync_frame(void)
 {
     return tb_cob_frame(TB_COB_SYNC, 0, 0);
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

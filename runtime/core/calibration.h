@@ -32,6 +32,10 @@
 #include "tb_machine.h"
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Largest standard deviation of a zero, over that of a measured length. */
 #define TB_CALIBRATION_SPREAD TB_C(8.0)
 
@@ -67,5 +71,9 @@ void tb_calibration_add(tb_calibration *calibration, const real_t wound[TB_CABLE
  *  amid the pulleys where tb_machine.h has none: the platform should be in the target, and about
  *  upright. Everything in `calibration` stays finite. */
 tb_calibration_progress tb_calibration_solve(tb_calibration *calibration);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -13,6 +13,10 @@
 #include "cause.h"
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** A push: cycles in a row in which a drive pushes the same way with half of its limit or more. */
 typedef struct {
     real_t speed;    /* m/s, when it began */
@@ -38,5 +42,9 @@ bool tb_carriage_is_pushed(real_t torque);
 
 /** Look at one cycle in which it does: TB_CAUSE_NONE, TB_CAUSE_BASE_BLOCKED or TB_CAUSE_WRONG_WAY. */
 tb_cause tb_carriage_look(tb_carriage *carriage, const tb_carriage_motion *seen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

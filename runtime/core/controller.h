@@ -41,6 +41,10 @@
 #include "tb_types.h"
 #include "torque_gate.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_OBSERVER_MEMORY 5 /* numbers that tb_observe_disturbance remembers of each cable */
 #define TB_BASE_MEMORY 3     /* numbers that tb_base_pid remembers of each rail */
 
@@ -108,5 +112,9 @@ void tb_controller_take_over(tb_controller *controller, const real_t torque[TB_C
  *  Returns TB_OK, TB_INFEASIBLE, or why the cycle failed; all outputs are written in every case. */
 tb_status tb_controller_step(tb_controller *controller, const tb_inputs *inputs,
                              tb_outputs *outputs);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

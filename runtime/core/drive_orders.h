@@ -7,6 +7,10 @@
 
 #include "supervisor_memory.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Drives from `first` up to, but without, `end`. */
 typedef struct {
     size_t first;
@@ -66,5 +70,9 @@ void tb_power_on(tb_supervisor *supervisor, tb_drive_range drives);
 /** Why the ordered task failed, for the first drive whose did. */
 tb_blame tb_find_failed_task(const tb_supervisor *supervisor, const tb_observation *seen,
                              tb_drive_range drives);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

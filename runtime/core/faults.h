@@ -7,6 +7,10 @@
 
 #include "supervisor_memory.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Whether a cause leaves no time for a soft stop. */
 bool tb_is_hard(tb_cause cause);
 
@@ -19,5 +23,9 @@ tb_blame tb_blame_silent(const tb_drive_report *report, size_t index);
 
 /** The worst that is wrong in this cycle of a state before HARD_STOP. */
 tb_blame tb_find_fault(tb_supervisor *supervisor, const tb_observation *seen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 #include "controller.h"
 #include "tb_drives.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What moves the bases. */
 typedef struct {
     real_t reference[TB_RAIL_SLOTS];             /* m */
@@ -37,5 +41,9 @@ bool tb_guide_has_arrived(const tb_guide *guide, const real_t rails[TB_RAIL_SLOT
 /** Whether a base has been more than TB_RAIL_LAG_LIMIT off its reference for more than
  *  TB_RAIL_LAG_CYCLES; `rail` is then the first such one, from 0. */
 bool tb_guide_has_lost(const tb_guide *guide, size_t *rail);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

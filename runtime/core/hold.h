@@ -4,6 +4,10 @@
 
 #include "supervisor_memory.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Want a tension [N] of a cable. */
 void tb_pull(tb_supervisor *supervisor, size_t cable, real_t tension);
 
@@ -16,5 +20,9 @@ tb_blame tb_guide_bases(tb_supervisor *supervisor, const real_t targets[TB_RAIL_
 
 /** Want every guided base to stay at its reference. */
 tb_blame tb_hold_bases(tb_supervisor *supervisor);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -14,6 +14,10 @@
 #include "drive.h"
 #include "tb_machine.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** A drive's position over time. */
 typedef struct {
     real_t position; /* m, of its last message */
@@ -56,5 +60,9 @@ void tb_measured_rails(const tb_measurement *measurement, real_t rails[TB_RAIL_S
 
 /** Speed of a drive between its last two messages [m/s], > 0 winds in. */
 real_t tb_measured_speed(const tb_measurement *measurement, size_t drive);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 #include "tb_machine.h"
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** The pose space at one pose. */
 typedef struct {
     real_t basis[TB_DOF * TB_CABLES]; /* row j: vector q_j, zero where the lengths do not tell
@@ -30,5 +34,9 @@ void tb_pose_space_take(const tb_pose_space *space, real_t change[TB_CABLES],
 
 /** What is left of a unit change of cable i's length: row and column i of I - Q Q' (TB_CABLES). */
 void tb_pose_space_unexplained(const tb_pose_space *space, uint32_t cable, real_t left[TB_CABLES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

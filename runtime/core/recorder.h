@@ -25,6 +25,10 @@
 #include "supervisor_memory.h"
 #include "tb_machine.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A port with little memory sets these smaller. A cycle of yoon2023 takes 912 bytes in double, so
  * that 40 segments of 256 cycles, 10.24 s at 1 kHz, take 9.5 MB. */
 #ifndef TB_SEGMENT_CYCLES
@@ -132,5 +136,9 @@ tb_recorder_piece tb_recorder_read(tb_recorder_reader *reader, tb_recorder_mark 
 
 /** The last piece, after which nothing is to be read: that all is here. */
 tb_recorder_piece tb_recorder_close(tb_recorder_reader *reader);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,15 +7,24 @@
 
 #include "supervisor_memory.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Nothing went wrong. */
 static inline tb_blame tb_no_blame(void)
 {
-    return (tb_blame){.cause = TB_CAUSE_NONE};
+    tb_blame const nothing = {0, 0, 0, 0, 0, TB_CAUSE_NONE};
+    return nothing;
 }
 
 static inline tb_blame tb_blame_for(tb_cause cause, size_t culprit, uint32_t detail)
 {
-    return (tb_blame){.cause = (uint8_t)cause, .culprit = (uint16_t)culprit, .detail = detail};
+    tb_blame blame = tb_no_blame();
+    blame.cause = (uint8_t)cause;
+    blame.culprit = (uint16_t)culprit;
+    blame.detail = detail;
+    return blame;
 }
 
 /** Go on to a phase; its first cycle is the next one. */
@@ -50,5 +59,9 @@ tb_blame tb_soft_stop(tb_supervisor *supervisor, const tb_observation *seen);
 void tb_begin_hard_stop(tb_supervisor *supervisor);
 void tb_hard_stop(tb_supervisor *supervisor);
 void tb_begin_fault(tb_supervisor *supervisor);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -30,6 +30,10 @@
 #include "drive.h"
 #include "watch.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum {
     TB_STATE_INIT = 0,
     TB_STATE_IDENTIFY,
@@ -118,5 +122,9 @@ void tb_supervisor_start(tb_supervisor *supervisor);
 
 /** Run one cycle; all orders are written. */
 void tb_supervisor_step(tb_supervisor *supervisor, const tb_observation *seen, tb_orders *orders);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

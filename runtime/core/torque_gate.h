@@ -20,6 +20,10 @@
 
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* What the gate changed: the sum of these flags, TB_GATE_PASSED when it changed nothing. */
 #define TB_GATE_PASSED ((uint32_t)0)
 #define TB_GATE_NOT_FINITE ((uint32_t)1)     /* command not finite: the safe one instead */
@@ -59,5 +63,9 @@ uint32_t tb_torque_gate(real_t previous, real_t command, real_t *torque);
 
 /** Limits of every cable motor. */
 extern const tb_gate_limits tb_cable_limits;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -22,6 +22,10 @@
 #include "tb_machine.h"
 #include "tb_types.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Cycles in a row beyond a limit. */
 typedef struct {
     uint16_t open;                   /* closure */
@@ -49,5 +53,9 @@ void tb_watch_start(tb_watch *watch);
 /** Look at one cycle. A value that is not finite counts as beyond its limit.
  *  slack [m] (TB_CABLES): delta of every cable, 0 while the closure holds; always finite. */
 tb_verdict tb_watch_cables(tb_watch *watch, const tb_watched *seen, real_t slack[TB_CABLES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include "supervisor.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What the machine does in a state. */
 const char *tb_state_text(tb_state state);
 
@@ -18,5 +22,9 @@ const char *tb_culprit_text(tb_cause cause);
 
 /** What the user can do about it; empty where there is nothing to do. */
 const char *tb_advice_text(tb_cause cause);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

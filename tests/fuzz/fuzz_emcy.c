@@ -26,11 +26,13 @@ static void take(tb_emcy *emergency, const uint8_t step[STEP])
     bool const taken = tb_emcy_take(emergency, &frame);
     bool const clears = (frame.data[0] == 0) && (frame.data[1] == 0);
     require(taken == (frame.length == 8u));
-    require(taken || ((emergency->code == before.code) && (emergency->class == before.class)));
-    require(!(taken && clears) || (emergency->class == TB_ERROR_NONE));
-    require((taken && clears) || (emergency->class >= before.class));
-    require(emergency->class == (uint8_t)tb_emcy_class(emergency->code));
-    require((emergency->code == 0) == (emergency->class == TB_ERROR_NONE));
+    bool const same =
+        (emergency->code == before.code) && (emergency->error_class == before.error_class);
+    require(taken || same);
+    require(!(taken && clears) || (emergency->error_class == TB_ERROR_NONE));
+    require((taken && clears) || (emergency->error_class >= before.error_class));
+    require(emergency->error_class == (uint8_t)tb_emcy_class(emergency->code));
+    require((emergency->code == 0) == (emergency->error_class == TB_ERROR_NONE));
     require(tb_emcy_text(emergency->code)[0] != '\0');
 }
 

@@ -101,8 +101,8 @@ DEFECTS = {
     "emcy: a warning that covers a fault": (
         "emcy",
         "emcy",
-        "said.class > emergency->class",
-        "said.class != emergency->class",
+        "said.error_class > emergency->error_class",
+        "said.error_class != emergency->error_class",
     ),
 }
 

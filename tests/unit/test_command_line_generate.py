@@ -26,10 +26,21 @@ def files() -> dict[str, str]:
     return generate(load_machine(STOCK))
 
 
+@pytest.fixture(scope="module")
+def left() -> dict[str, str]:
+    """The same with the prefix `left`."""
+    return generate(load_machine(STOCK), "left")
+
+
 @pytest.fixture
-def run(files: dict[str, str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+def run(
+    files: dict[str, str], left: dict[str, str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> Path:
     """Generation takes no time in these tests; they run in an empty folder."""
-    monkeypatch.setattr(turnbuckle.codegen.generate, "generate", lambda machine: files)
+    known = {"tb": files, "left": left}
+    monkeypatch.setattr(
+        turnbuckle.codegen.generate, "generate", lambda machine, prefix: known[prefix]
+    )
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -43,7 +54,8 @@ def invoke(*arguments: str | Path) -> Result:
 
 def read(folder: Path) -> dict[str, str]:
     """Contents of a folder by name."""
-    return {path.name: path.read_text() for path in folder.iterdir()}
+    paths = [path for path in folder.rglob("*") if path.is_file()]
+    return {path.relative_to(folder).as_posix(): path.read_text() for path in paths}
 
 
 def test_the_c_goes_to_generated_and_the_name(run: Path, files: dict[str, str]) -> None:
@@ -67,16 +79,52 @@ def test_what_was_written_is_told(run: Path, files: dict[str, str]) -> None:
 
 def written(folder: Path) -> dict[Path, tuple[int, int]]:
     """Which files there are, and when each was written; when it was read does not count."""
-    stats = {path: path.stat() for path in [folder, *folder.iterdir()]}
+    stats = {path: path.stat() for path in [folder, *folder.rglob("*")]}
     return {path: (found.st_ino, found.st_mtime_ns) for path, found in stats.items()}
 
 
-def test_unchanged_files_are_left_alone(run: Path) -> None:
-    invoke(STOCK)
-    folder = run / "generated" / "yoon2023"
+@pytest.mark.parametrize("prefix", [[], ["--prefix", "left"]], ids=["plain", "left"])
+def test_unchanged_files_are_left_alone(run: Path, prefix: list[str]) -> None:
+    invoke(STOCK, *prefix)
+    (folder,) = (run / "generated").iterdir()
     before = written(folder)
-    assert "nothing changed" in invoke(STOCK).stdout
+    assert "nothing changed" in invoke(STOCK, *prefix).stdout
     assert written(folder) == before
+
+
+def test_a_prefix_has_a_folder_of_its_own_with_the_runtime(run: Path, left: dict[str, str]) -> None:
+    invoke(STOCK, "--prefix", "left")
+    assert read(run / "generated" / "left_yoon2023") == left
+    assert {"left_tension.c", "left_master.c", "linux/left_socketcan.c"} <= left.keys()
+
+
+def test_a_damaged_file_in_a_folder_of_the_folder_is_written_again(
+    run: Path, left: dict[str, str]
+) -> None:
+    invoke(STOCK, "--prefix", "left", "--out", "mine")
+    (run / "mine" / "linux" / "left_slcan.c").unlink()
+    assert "nothing changed" not in invoke(STOCK, "--prefix", "left", "--out", "mine").stdout
+    assert read(run / "mine") == left
+
+
+@pytest.mark.parametrize("name", ["mine.c", "linux/mine.c", "notes"])
+def test_a_stranger_in_a_prefixed_folder_is_not_lost(run: Path, name: str) -> None:
+    invoke(STOCK, "--prefix", "left", "--out", "mine")
+    stranger = run / "mine" / name
+    stranger.write_text("mine") if name.endswith(".c") else stranger.mkdir()
+    result = CliRunner().invoke(app, ["generate", str(STOCK), "--out", "mine"])
+    assert result.exit_code != 0
+    assert f"holds {name!r}, which was not generated" in result.stderr
+    assert stranger.exists()
+
+
+def test_a_prefix_that_is_no_word_is_refused_in_one_sentence(tmp_path: Path) -> None:
+    arguments = ["generate", str(STOCK), "--prefix", "class"]
+    done = subprocess.run([TURNBUCKLE, *arguments], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode != 0
+    assert done.stderr.startswith('turnbuckle: --prefix: found "class"; allowed: ')
+    assert done.stderr.count("\n") == 1
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("damage", ["edited", "missing"])

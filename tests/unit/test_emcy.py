@@ -62,7 +62,7 @@ def standing(*codes: int) -> tuple[int, int]:
     emergency = C.new("tb_emcy")
     for code in codes:
         assert C.tb_emcy_take(byref(emergency), byref(C.frame(message(code))))
-    return emergency.code, getattr(emergency, "class")
+    return emergency.code, emergency.error_class
 
 
 @pytest.mark.parametrize("code", CLASSES, ids=hex)

@@ -10,6 +10,10 @@
 
 #include "can.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** The port, and what it knows of the frames on their way. */
 typedef struct {
     tb_can_port port;  /* first; its statistics are the driver's */
@@ -22,5 +26,9 @@ typedef struct {
 
 /** Stand in front of an opened port. */
 void tb_awaited_port_start(tb_awaited_port *awaited, tb_can_port *line);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

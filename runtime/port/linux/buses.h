@@ -11,6 +11,10 @@
 #include "socketcan.h"
 #include "tb_drives.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Ports of all buses, with the memory of their drivers. */
 typedef struct {
     union {
@@ -35,5 +39,9 @@ void tb_buses_name(const tb_bus_option *option, size_t room, char name[]);
 
 /** Give every bus back. */
 void tb_buses_close(tb_bus_ports *buses);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

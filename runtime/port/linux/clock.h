@@ -6,6 +6,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_SECOND ((int64_t)1000000000) /* ns */
 
 typedef struct tb_clock tb_clock;
@@ -34,5 +38,9 @@ static inline void tb_clock_sleep_until(tb_clock *clock, int64_t time)
 {
     clock->sleep_until(clock, time);
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

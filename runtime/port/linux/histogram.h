@@ -4,6 +4,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_HISTOGRAM_BINS 13
 
 /** Bin i counts durations up to tb_histogram_edges[i]; the last one counts all that is longer. */
@@ -19,5 +23,9 @@ extern const int64_t tb_histogram_edges[TB_HISTOGRAM_BINS - 1]; /* ns */
 
 /** Count a duration [ns]. */
 void tb_histogram_add(tb_histogram *histogram, int64_t duration);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -3,7 +3,7 @@
 #include <stddef.h>
 
 /* 1 where the counter moved since the last cycle. */
-static uint32_t moved(const _Atomic uint32_t *counter, uint32_t *seen)
+static uint32_t moved(const tb_atomic_u32 *counter, uint32_t *seen)
 {
     uint32_t const now = atomic_load_explicit(counter, memory_order_acquire);
     uint32_t const asked = (now != *seen) ? 1u : 0u;
@@ -13,7 +13,7 @@ static uint32_t moved(const _Atomic uint32_t *counter, uint32_t *seen)
 
 /* Take a force that was written since the last cycle. One that is being written right now is not
  * waited for: the next cycle will find it. */
-static void refresh(const _Atomic uint64_t *sequence, const double shared[TB_DOF],
+static void refresh(const tb_atomic_u64 *sequence, const double shared[TB_DOF],
                     tb_standing_force *standing)
 {
     uint64_t const before = atomic_load_explicit(sequence, memory_order_acquire);

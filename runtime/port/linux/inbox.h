@@ -5,6 +5,10 @@
 #include "telemetry.h"
 #include "wishes.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** A force of the inbox, and for how long it has stood. */
 typedef struct {
     uint64_t sequence;
@@ -23,5 +27,9 @@ typedef struct {
 
 /** Read the wishes of this cycle; each request is seen once. */
 void tb_inbox_read(tb_inbox *inbox, const tb_telemetry_inbox *shared, tb_wishes *wishes);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

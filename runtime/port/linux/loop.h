@@ -19,6 +19,10 @@
 #include "telemetry.h"
 #include "watchdog.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Why the loop ended. */
 typedef enum {
     TB_END_OFF = 0, /* a stop was asked for, and every drive is off */
@@ -46,5 +50,9 @@ typedef struct {
 
 /** Run until a stop is asked for and done. */
 tb_end tb_loop_run(tb_loop *loop);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 
 #include "tb_drives.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TB_LARGEST_PRIORITY 99
 #define TB_MOST_PROCESSORS 1024
 #define TB_LONGEST_DEVICE 300 /* characters: a folder of /dev and the longest name of a file */
@@ -44,5 +48,9 @@ typedef enum {
 
 /** Read the command line. The options keep pointers into argv. */
 tb_options_answer tb_options_read(int argc, char *argv[], tb_options *options);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

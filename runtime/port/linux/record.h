@@ -12,21 +12,25 @@
 #ifndef TB_RECORD_H
 #define TB_RECORD_H
 
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "atomic_numbers.h"
 #include "recorder.h"
 
 #define TB_RECORD_INTERVAL 100 /* ms between two looks of the writer */
 #define TB_RECORD_SYNC 10u     /* looks between two times that all is on the disk */
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What the program knows of its record; in memory that it shares with the writer. */
 typedef struct {
     const char *path;
-    _Atomic uint64_t kept; /* tb_recorder_mark: opened, then in the lower half count */
-    int alive;             /* a pipe that closes when the program ends; -1 without a record */
-    int answer;            /* a pipe through which the writer tells how it went */
+    tb_atomic_u64 kept; /* tb_recorder_mark: opened, then in the lower half count */
+    int alive;          /* a pipe that closes when the program ends; -1 without a record */
+    int answer;         /* a pipe through which the writer tells how it went */
 } tb_record;
 
 /** Make the file beside the one that it will replace, and the writer. recorder: in shared memory. path: a
@@ -40,5 +44,9 @@ void tb_record_tell(tb_record *record, const tb_recorder *recorder);
 /** Wait until the recording is written; without any cycle there is none, and the old file stays. False
  *  where it is not whole. */
 bool tb_record_close(const tb_record *record);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -13,6 +13,10 @@
 #include "buses.h"
 #include "options.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What became of a bus. */
 typedef enum {
     TB_BUS_PRESENT = 0,
@@ -36,5 +40,9 @@ uint32_t tb_reopen(tb_reopening *reopening, uint8_t state, uint32_t requests);
 /** Add what to do about the first bus that is not there to a sentence in `room` bytes; nothing
  *  where all are. */
 void tb_reopening_tell(const tb_reopening *reopening, size_t room, char text[]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

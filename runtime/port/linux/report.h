@@ -4,7 +4,15 @@
 
 #include "loop.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Print the report; the exit status of the program: 0 stopped as asked, 1 not. */
 int tb_report(const tb_loop *loop, tb_end end);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,6 +15,10 @@
 #define ARCHITECTURE AUDIT_ARCH_X86_64
 #elif defined(__aarch64__)
 #define ARCHITECTURE AUDIT_ARCH_AARCH64
+#elif defined(__arm__) && defined(__ARM_EABI__)
+#define ARCHITECTURE AUDIT_ARCH_ARM
+#elif defined(__riscv) && (__riscv_xlen == 64)
+#define ARCHITECTURE AUDIT_ARCH_RISCV64
 #else
 #error "the seal does not know this processor"
 #endif
@@ -48,6 +52,16 @@ static struct sock_filter const filter[] = {
     ALLOW_CALL(close),
     ALLOW_CALL(ioctl),
     ALLOW_CALL(fcntl),
+#ifdef __arm__
+    /* the same calls as the C library makes them on 32 bits, with and without 64 bits of time */
+    ALLOW_CALL(clock_nanosleep_time64),
+    ALLOW_CALL(clock_gettime64),
+    ALLOW_CALL(recvmmsg_time64),
+    ALLOW_CALL(recv),
+    ALLOW_CALL(send),
+    ALLOW_CALL(sigreturn),
+    ALLOW_CALL(fcntl64),
+#endif
     ALLOW_CALL(exit),
     ALLOW_CALL(exit_group),
     KILL,

@@ -5,7 +5,15 @@
 
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Seal the program; there is no way back. False, with a message, where the kernel has no filter. */
 bool tb_seal(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,10 +6,18 @@
 
 #include "supervisor.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What the machine does now. */
 const char *tb_sentence_of_state(const tb_orders *orders);
 
 /** Why it stopped, into `text` of `room` bytes; empty for no cause. */
 void tb_sentence_of_cause(const tb_orders *orders, size_t room, char text[]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

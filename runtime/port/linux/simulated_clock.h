@@ -24,6 +24,10 @@
 #include "clock.h"
 #include "tb_drives.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What either side tells the other; native byte order, without gaps. */
 typedef struct {
     int64_t time;              /* ns */
@@ -44,5 +48,9 @@ typedef struct {
  *  message, where nobody is there who keeps time. */
 bool tb_simulated_clock_open(tb_simulated_clock *clock, const char *path,
                              tb_can_port *const ports[TB_BUSES]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

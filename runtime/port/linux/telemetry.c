@@ -187,7 +187,7 @@ static void copy_behind_sequence(void *to, const void *from, size_t bytes)
 }
 
 /* Odd before the first byte changes, even after the last one did: for any reader's processor. */
-static void write_whole(_Atomic uint64_t *sequence, uint64_t even, void *to, const void *from,
+static void write_whole(tb_atomic_u64 *sequence, uint64_t even, void *to, const void *from,
                         size_t bytes)
 {
     atomic_store_explicit(sequence, even - 1u, memory_order_relaxed);

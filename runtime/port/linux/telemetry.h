@@ -24,13 +24,17 @@
 #ifndef TB_TELEMETRY_H
 #define TB_TELEMETRY_H
 
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "can.h"
+#include "atomic_numbers.h"
 #include "histogram.h"
 #include "supervisor.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define TB_TELEMETRY_MAGIC "TBTELEM" /* 8 bytes with the final 0 */
 #define TB_TELEMETRY_VERSION 3u
@@ -95,7 +99,7 @@ typedef struct {
 
 /** What is counted and told, the latest. */
 typedef struct {
-    _Atomic uint64_t sequence;
+    tb_atomic_u64 sequence;
     uint64_t published; /* cycles in the ring so far */
     tb_loop_times times;
     tb_telemetry_bus buses[TB_BUSES];
@@ -124,7 +128,7 @@ typedef struct {
 
 /** One control cycle. */
 typedef struct {
-    _Atomic uint64_t sequence;
+    tb_atomic_u64 sequence;
     uint64_t number; /* of the cycle, skipped ones are not counted */
     int64_t time;    /* ns of CLOCK_MONOTONIC, or simulated; at its beginning */
     uint32_t missed; /* cycles skipped just before */
@@ -148,13 +152,13 @@ typedef struct {
 
 /** What other programs write. */
 typedef struct {
-    _Atomic uint32_t arm; /* requests: add 1 to ask once */
-    _Atomic uint32_t stop;
-    _Atomic uint32_t reset;
+    tb_atomic_u32 arm; /* requests: add 1 to ask once */
+    tb_atomic_u32 stop;
+    tb_atomic_u32 reset;
     uint32_t reserved;
-    _Atomic uint64_t force_sequence;
+    tb_atomic_u64 force_sequence;
     double force[TB_DOF]; /* N, wanted by the application */
-    _Atomic uint64_t hand_sequence;
+    tb_atomic_u64 hand_sequence;
     double hand_force[TB_DOF]; /* N, measured force of the hand on the handle */
 } tb_telemetry_inbox;
 
@@ -174,5 +178,9 @@ void tb_telemetry_append(tb_telemetry_file *file, const tb_telemetry_cycle *cycl
 
 /** Replace what is counted and told; sequence and number of cycles are set here. */
 void tb_telemetry_tell(tb_telemetry_file *file, const tb_telemetry_status *status);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

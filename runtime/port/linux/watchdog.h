@@ -6,6 +6,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Where to tell it; without systemd there is no socket, and nothing is told. */
 typedef struct {
     int socket;       /* -1 for none */
@@ -24,5 +28,9 @@ void tb_watchdog_feed(tb_watchdog *watchdog);
 
 /** The program is about to end. */
 void tb_watchdog_stopping(const tb_watchdog *watchdog);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
