@@ -1,9 +1,10 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
 
-tb_status tb_largest_tensions_eq17(const real_t structure[10], const real_t force[1], real_t
-    tension[5])
+tb_status tb_largest_tensions_eq17(const real_t structure[10], const real_t force[1],
+    real_t tension[5])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -395,8 +396,8 @@ tb_status tb_largest_tensions_eq17(const real_t structure[10], const real_t forc
     return t155 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_reduced_matrix_tension(const real_t structure[10], const real_t wrench[2], real_t
-    tension[5])
+tb_status tb_reduced_matrix_tension(const real_t structure[10], const real_t wrench[2],
+    real_t tension[5])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -586,24 +587,31 @@ tb_status tb_reduced_matrix_tension(const real_t structure[10], const real_t wre
     return t127 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_kernel_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[5], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
-static tb_status tb_kernel_tension_begin(const real_t structure[10], const real_t wrench[2], real_t
-    pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+static tb_status tb_kernel_tension_begin(const real_t structure[10], const real_t wrench[2],
+    real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) <= TB_C(40.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(100000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_kernel_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -624,15 +632,7 @@ static tb_status tb_kernel_tension_begin(const real_t structure[10], const real_
     const real_t t14 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t15 = !(t14 < t4 && t14 < t13);
     if (t15) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_kernel_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -646,8 +646,8 @@ static tb_status tb_kernel_tension_begin(const real_t structure[10], const real_
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_kernel_tension_step(const real_t structure[10], const real_t wrench[2], real_t
-    side[5], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_kernel_tension_step(const real_t structure[10], const real_t wrench[2],
+    real_t side[5], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -878,8 +878,8 @@ static tb_status tb_kernel_tension_step(const real_t structure[10], const real_t
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_kernel_tension_finish(const real_t structure[10], const real_t wrench[2], const
-    real_t pivot[1], const real_t side[5], real_t tension[5])
+static tb_status tb_kernel_tension_finish(const real_t structure[10], const real_t wrench[2],
+    const real_t pivot[1], const real_t side[5], real_t tension[5])
 {
     const bool t0 = TB_C(0.0) < side[0];
     const real_t t1 = t0 ? TB_C(1000000000000.0) : TB_C(0.0);
@@ -994,8 +994,8 @@ static tb_status tb_kernel_tension_finish(const real_t structure[10], const real
     return t94 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_kernel_tension(const real_t structure[10], const real_t wrench[2], real_t
-    tension[5])
+tb_status tb_kernel_tension(const real_t structure[10], const real_t wrench[2],
+    real_t tension[5])
 {
     real_t pivot[1];
     real_t side[5];
@@ -1020,6 +1020,20 @@ tb_status tb_kernel_tension(const real_t structure[10], const real_t wrench[2], 
     return tb_kernel_tension_finish(structure, wrench, pivot, side, tension);
 }
 
+/* Refuses with a status: most is 0; least is 0; size is 0 N. */
+static tb_status tb_refuse_largest_tensions_eq12_begin(tb_status status, real_t most[5],
+    real_t least[1], real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    most[1] = TB_C(0.0);
+    most[2] = TB_C(0.0);
+    most[3] = TB_C(0.0);
+    most[4] = TB_C(0.0);
+    least[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
 static tb_status tb_largest_tensions_eq12_begin(const real_t structure[10], const real_t force[1],
     real_t most[5], real_t least[1], real_t size[1])
@@ -1029,14 +1043,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[10], cons
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) <= TB_C(40.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        most[4] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, most, least, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -1055,14 +1062,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[10], cons
     const bool t13 = t0 < TB_ABS(t4) && t0 < TB_ABS(TB_COPYSIGN(t12, t8));
     const bool t14 = !t13;
     if (t14) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        most[4] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tensions_eq12_begin(TB_SINGULAR, most, least, size);
     }
     most[0] = TB_C(0.0);
     most[1] = TB_C(0.0);
@@ -1075,8 +1075,8 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[10], cons
 }
 
 /* One subset. */
-static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1], const
-    real_t structure[10], real_t most[5], real_t least[1])
+static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1],
+    const real_t structure[10], real_t most[5], real_t least[1])
 {
     const bool t0 = numbers[0] == TB_C(0.0);
     const real_t t1 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
@@ -1121,8 +1121,8 @@ static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const re
 }
 
 /* After the last subset. */
-static tb_status tb_largest_tensions_eq12_finish(const real_t most[5], const real_t least[1], const
-    real_t size[1], real_t tension[5])
+static tb_status tb_largest_tensions_eq12_finish(const real_t most[5], const real_t least[1],
+    const real_t size[1], real_t tension[5])
 {
     const real_t tension_0 = size[0] * most[0];
     const real_t tension_1 = size[0] * most[1];
@@ -1147,8 +1147,8 @@ static tb_status tb_largest_tensions_eq12_finish(const real_t most[5], const rea
     return TB_OK;
 }
 
-tb_status tb_largest_tensions_eq12(const real_t structure[10], const real_t force[1], real_t
-    tension[5])
+tb_status tb_largest_tensions_eq12(const real_t structure[10], const real_t force[1],
+    real_t tension[5])
 {
     static const unsigned char subsets[5][1] = {{0}, {1}, {2}, {3}, {4}};
     real_t most[5];
@@ -1179,18 +1179,25 @@ tb_status tb_largest_tensions_eq12(const real_t structure[10], const real_t forc
     return tb_largest_tensions_eq12_finish(most, least, size, tension);
 }
 
+/* Refuses with a status: most is 0 N; size is 0 N. */
+static tb_status tb_refuse_largest_tension_begin(tb_status status, real_t most[1],
+    real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_largest_tension_begin(const real_t structure[10], const real_t force[1], real_t
-    most[1], real_t size[1])
+static tb_status tb_largest_tension_begin(const real_t structure[10], const real_t force[1],
+    real_t most[1], real_t size[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) <= TB_C(40.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, most, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -1209,9 +1216,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[10], const real
     const bool t13 = t0 < TB_ABS(t4) && t0 < TB_ABS(TB_COPYSIGN(t12, t8));
     const bool t14 = !t13;
     if (t14) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tension_begin(TB_SINGULAR, most, size);
     }
     most[0] = TB_C(0.0);
     size[0] = force[0];
@@ -1219,8 +1224,8 @@ static tb_status tb_largest_tension_begin(const real_t structure[10], const real
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1], const
-    real_t structure[10], real_t most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1],
+    const real_t structure[10], real_t most[1], const real_t size[1])
 {
     const real_t t0 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
     real_t most_0;
@@ -1275,8 +1280,8 @@ static tb_status tb_largest_tension_finish(const real_t most[1], real_t tension[
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tension(const real_t structure[10], const real_t force[1], real_t
-    tension[1])
+tb_status tb_largest_tension(const real_t structure[10], const real_t force[1],
+    real_t tension[1])
 {
     static const unsigned char subsets[5][1] = {{0}, {1}, {2}, {3}, {4}};
     real_t most[1];

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[5], real_t torque[5])
@@ -39,8 +40,19 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[10], const real_t tension[5], const real_t
-    hand_force[2], real_t load[5])
+/* Refuses with a status: load is 0 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[5])
+{
+    load[0] = TB_C(0.0);
+    load[1] = TB_C(0.0);
+    load[2] = TB_C(0.0);
+    load[3] = TB_C(0.0);
+    load[4] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[10], const real_t tension[5],
+    const real_t hand_force[2], real_t load[5])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -49,12 +61,7 @@ tb_status tb_load_tension(const real_t structure[10], const real_t tension[5], c
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
               + TB_ABS(tension[4]) <= TB_C(50000.0)
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) <= TB_C(100000.0))) {
-        load[0] = TB_C(0.0);
-        load[1] = TB_C(0.0);
-        load[2] = TB_C(0.0);
-        load[3] = TB_C(0.0);
-        load[4] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[5] * structure[0] + structure[6] * structure[1];
     const real_t t1 = t0 + structure[7] * structure[2] + structure[8] * structure[3];
@@ -82,12 +89,7 @@ tb_status tb_load_tension(const real_t structure[10], const real_t tension[5], c
     const real_t t18 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t19 = !(t18 < t4 && t18 < t15);
     if (t19) {
-        load[0] = TB_C(0.0);
-        load[1] = TB_C(0.0);
-        load[2] = TB_C(0.0);
-        load[3] = TB_C(0.0);
-        load[4] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[10])
@@ -52,16 +53,22 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[5])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    length[3] = TB_C(0.0);
+    length[4] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t length[5])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        length[4] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -79,12 +86,7 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     const bool t8 = t7 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t9 = !(t8 && TB_C(0.0001) < length_4);
     if (t9) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        length[4] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -94,21 +96,27 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[10])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_t structure[10])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -142,17 +150,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const bool t13 = t12 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t14 = !(t13 && TB_C(0.0001) < length_4);
     if (t14) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -167,21 +165,27 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[10])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t jacobian[10])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -215,17 +219,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const bool t13 = t12 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t14 = !(t13 && TB_C(0.0001) < length_4);
     if (t14) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -240,17 +234,23 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[5], const real_t rail_rates[1], real_t velocity[2])
+/* Refuses with a status: velocity is 0 m/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[2])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[5], const real_t rail_rates[1], real_t velocity[2])
 {
     (void)rails;
     (void)rail_rates;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) + TB_ABS(length_rates[4]) <= TB_C(500.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = TB_C(1.0) - pose[0];
     const real_t t1 = t0 * t0;
@@ -297,19 +297,22 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
     const bool t34 = !(t33 && TB_C(0.0001) < length_4);
     const real_t t35 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t36 = !(t35 < t19 && t35 < t31);
-    if (t34) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t36) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t34 || t36) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     return TB_OK;
+}
+
+/* Refuses with a status: pose is 0 m; residual is 0 m. */
+static tb_status tb_refuse_forward_kinematics(tb_status status, real_t pose[2],
+    real_t residual[1])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], real_t pose[2],
@@ -321,10 +324,7 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(8.0)
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(8.0)
           && lengths[4] >= TB_C(0.0) && lengths[4] <= TB_C(8.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
     const real_t t0 = TB_C(0.41000000000000003) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.61) - lengths[1] * lengths[1];
@@ -413,17 +413,8 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const bool t66 = t65 && TB_C(0.0001) < distance_4 && TB_C(0.0001) < t51;
     const bool t67 = t66 && TB_C(0.0001) < t53 && TB_C(0.0001) < t56 && TB_C(0.0001) < t58;
     const bool t68 = !(t67 && TB_C(0.0001) < t60);
-    if (t63) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t68) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t63 || t68) {
+        return tb_refuse_forward_kinematics(TB_SINGULAR, pose, residual);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -431,9 +422,31 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     return TB_OK;
 }
 
-tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
-    length_rates[5], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[10], real_t velocity[2])
+/* Refuses with a status: pose is 0 m; residual is 0 m; structure is 0; velocity is 0 m/s. */
+static tb_status tb_refuse_locate(tb_status status, real_t pose[2], real_t residual[1],
+    real_t structure[10], real_t velocity[2])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_locate(const real_t lengths[5], const real_t rails[1],
+    const real_t length_rates[5], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[10], real_t velocity[2])
 {
     (void)rails;
     (void)rail_rates;
@@ -444,22 +457,7 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
           && lengths[4] >= TB_C(0.0) && lengths[4] <= TB_C(8.0)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) + TB_ABS(length_rates[4]) <= TB_C(500.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
     const real_t t0 = TB_C(0.41000000000000003) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.61) - lengths[1] * lengths[1];
@@ -586,59 +584,8 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
     const bool t91 = !(t90 && TB_C(0.0001) < t60);
     const real_t t92 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t93 = !(t92 < t73 && t92 < t83);
-    if (t86) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t91) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t93) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t86 || t91 || t93) {
+        return tb_refuse_locate(TB_SINGULAR, pose, residual, structure, velocity);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -65,8 +66,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
  *    1.9e-06 m/s (worst found 4.8e-07 at pose (0.9584, 0.08435), length_rates (0.9819, 0.9994,
  *    -0.599, -0.9986, -0.0517)).
  *  Cost, all branches: 32 add, 47 mul, 7 div, 5 sqrt, 7 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[5], const real_t rail_rates[1], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[5], const real_t rail_rates[1], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -98,9 +99,9 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
  *  Error of structure: double at most 2.8e-12; float at most 8.1e-03.
  *  Error of velocity: double at most 1.1e-12 m/s; float at most 8.8e-04 m/s.
  *  Cost, all branches: 105 add, 117 mul, 14 div, 11 sqrt, 14 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[5], const real_t rails[1], const real_t
-    length_rates[5], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[10], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[5], const real_t rails[1],
+    const real_t length_rates[5], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[10], real_t velocity[2]);
 
 #ifdef __cplusplus
 }

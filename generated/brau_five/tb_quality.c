@@ -1,13 +1,20 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
+}
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -61,22 +68,28 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const bool t42 = !(t41 && TB_C(0.0001) < length_4);
     const bool t43 = !(TB_C(0.0) <= t39);
     if (t42) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_isotropic_force(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t43 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1])
+/* Refuses with a status: margin is 0 N; factor is 0; force is 0 N. */
+static tb_status tb_refuse_pose_quality(tb_status status, real_t margin[1], real_t factor[1],
+    real_t force[1])
+{
+    margin[0] = TB_C(0.0);
+    factor[0] = TB_C(0.0);
+    force[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -143,23 +156,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t54 = t53 + t35 * t35 + t37 * t37 + t40 * t40 + t42 * t42;
     const bool t55 = !(t52 * t52 < (t54 + t45 * t45) * TB_C(0.4));
     const bool t56 = !(TB_C(0.0) <= margin_0);
-    if (t51) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t55) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t51 || t55) {
+        return tb_refuse_pose_quality(TB_SINGULAR, margin, factor, force);
     }
     if (TB_C(0.0)) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_pose_quality(TB_INACCURATE, margin, factor, force);
     }
     margin[0] = margin_0;
     factor[0] = TB_C(0.0);
@@ -167,31 +168,38 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     return t56 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: structure is 0; pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_zero_wrench_tension_begin(tb_status status, real_t structure[10],
+    real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
-static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t rails[1], real_t
-    structure[10], real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t rails[1],
+    real_t structure[10], real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_zero_wrench_tension_begin(TB_OUT_OF_DOMAIN, structure, pivot, side, moving, push);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -243,47 +251,8 @@ static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t
     const bool t35 = !(t34 && TB_C(0.0001) < t14 && TB_C(0.0001) < t17);
     const real_t t36 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t37 = !(t36 < t24 && t36 < t33);
-    if (t35) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t37) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t35 || t37) {
+        return tb_refuse_zero_wrench_tension_begin(TB_SINGULAR, structure, pivot, side, moving, push);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -307,8 +276,8 @@ static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t side[5], real_t
-    moving[1], real_t push[1], real_t done[1])
+static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t side[5],
+    real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -722,31 +691,38 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     return tb_zero_wrench_tension_finish(structure, pivot, side, tension);
 }
 
+/* Refuses with a status: structure is 0; pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_tension_factor_begin(tb_status status, real_t structure[10],
+    real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
-static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rails[1], real_t
-    structure[10], real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rails[1],
+    real_t structure[10], real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_tension_factor_begin(TB_OUT_OF_DOMAIN, structure, pivot, side, moving, push);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -798,47 +774,8 @@ static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rail
     const bool t35 = !(t34 && TB_C(0.0001) < t14 && TB_C(0.0001) < t17);
     const real_t t36 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t37 = !(t36 < t24 && t36 < t33);
-    if (t35) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t37) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t35 || t37) {
+        return tb_refuse_tension_factor_begin(TB_SINGULAR, structure, pivot, side, moving, push);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -1093,8 +1030,8 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_tension_factor_finish(const real_t structure[10], const real_t pivot[1], const
-    real_t side[5], real_t factor[1])
+static tb_status tb_tension_factor_finish(const real_t structure[10], const real_t pivot[1],
+    const real_t side[5], real_t factor[1])
 {
     (void)pivot;
     const real_t t0 = structure[0] * structure[6] - structure[5] * structure[1];
@@ -1256,31 +1193,38 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     return tb_tension_factor_finish(structure, pivot, side, factor);
 }
 
+/* Refuses with a status: structure is 0; pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_isotropic_force_eq17_begin(tb_status status, real_t structure[10],
+    real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
-static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_t rails[1], real_t
-    structure[10], real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
+static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_t rails[1],
+    real_t structure[10], real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force_eq17_begin(TB_OUT_OF_DOMAIN, structure, pivot, side, moving, push);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -1332,47 +1276,8 @@ static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_
     const bool t35 = !(t34 && TB_C(0.0001) < t14 && TB_C(0.0001) < t17);
     const real_t t36 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t37 = !(t36 < t24 && t36 < t33);
-    if (t35) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t37) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t35 || t37) {
+        return tb_refuse_isotropic_force_eq17_begin(TB_SINGULAR, structure, pivot, side, moving, push);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -1396,8 +1301,8 @@ static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t side[5], real_t
-    moving[1], real_t push[1], real_t done[1])
+static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t side[5],
+    real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -39,8 +40,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
  *  Error of force: double at most 0.0e+00 N; float at most 1.6e-05 N (worst found 4.1e-06 at
  *    pose (0.5273, 0.6276)).
  *  Cost, all branches: 60 add, 65 mul, 5 div, 5 sqrt, 7 compare, 6 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Least-norm tensions T0 under zero wrench; T_min in every cable outside the workspace  (Yoon
  *    eq. 12 with W = 0).

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[10], const real_t tension[5], real_t wrench[2])
@@ -25,18 +26,24 @@ tb_status tb_wrench(const real_t structure[10], const real_t tension[5], real_t 
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[5])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[5])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    share[3] = TB_C(0.0);
+    share[4] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[5])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(100000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        share[4] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = TB_C(1.0) - pose[1];
@@ -90,21 +97,8 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], cons
     const real_t t44 = t30 * t39 - t28 * t38 - t32 * t40 + t34 * t41 + t36 * t42;
     const real_t t45 = t44 / t37;
     const bool t46 = !(t26 < t37 && t26 < t43 - t37 * (t45 * t45));
-    if (t25) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        share[4] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t46) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        share[4] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t25 || t46) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -30,8 +31,8 @@ tb_status tb_wrench(const real_t structure[10], const real_t tension[5], real_t 
  *    wrench (-29.11, 20.24)); float at most 4.2e-05 N (worst found 1.1e-05 at pose (0.009545,
  *    0.01564), wrench (24.99, -23.68)).
  *  Cost, all branches: 41 add, 55 mul, 8 div, 5 sqrt, 7 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[5]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[5]);
 
 #ifdef __cplusplus
 }

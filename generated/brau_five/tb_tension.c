@@ -1,9 +1,10 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
 
-tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -401,8 +402,8 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
     return t58 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -695,6 +696,21 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
     return t58 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[5], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
 static tb_status tb_least_norm_tension_begin(const real_t structure[10], const real_t wrench[2],
     real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
@@ -704,15 +720,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[10], const r
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) <= TB_C(40.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(100000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -733,15 +741,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[10], const r
     const real_t t14 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t15 = !(t14 < t4 && t14 < t13);
     if (t15) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -755,8 +755,8 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[10], const r
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_least_norm_tension_step(const real_t structure[10], const real_t wrench[2], real_t
-    side[5], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_least_norm_tension_step(const real_t structure[10], const real_t wrench[2],
+    real_t side[5], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -987,8 +987,8 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
 
 /* The tensions, refined and judged. */
 static tb_status tb_least_norm_tension_finish(const real_t structure[10], const real_t wrench[2],
-    const real_t pivot[1], const real_t side[5], real_t tension[5], real_t delivered[2], real_t
-    kkt_residual[1])
+    const real_t pivot[1], const real_t side[5], real_t tension[5], real_t delivered[2],
+    real_t kkt_residual[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const bool t1 = TB_C(0.0) < side[0];
@@ -1113,8 +1113,8 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[10], const 
     return TB_OK;
 }
 
-tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[2], real_t
-    tension[5], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[2],
+    real_t tension[5], real_t delivered[2], real_t kkt_residual[1])
 {
     real_t pivot[1];
     real_t side[5];
@@ -1144,6 +1144,21 @@ tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[
         kkt_residual);
 }
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper_begin(tb_status status, real_t pivot[1],
+    real_t side[5], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
 static tb_status tb_distribute_tension_paper_begin(const real_t structure[10], const real_t wrench[2],
     real_t pivot[1], real_t side[5], real_t moving[1], real_t push[1])
@@ -1153,15 +1168,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[10], c
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) <= TB_C(40.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(100000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -1182,15 +1189,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[10], c
     const real_t t14 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t15 = !(t14 < t4 && t14 < t13);
     if (t15) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -1436,9 +1435,9 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[10], co
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_distribute_tension_paper_finish(const real_t structure[10], const real_t
-    wrench[2], const real_t pivot[1], const real_t side[5], real_t tension[5], real_t
-    delivered[2], real_t kkt_residual[1])
+static tb_status tb_distribute_tension_paper_finish(const real_t structure[10], const real_t wrench[2],
+    const real_t pivot[1], const real_t side[5], real_t tension[5], real_t delivered[2],
+    real_t kkt_residual[1])
 {
     const bool t0 = TB_C(0.0) < side[0];
     const real_t t1 = t0 ? TB_C(1000000000000.0) : TB_C(0.0);
@@ -1654,8 +1653,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[10], const real_t
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[10], const real_t wrench[2], real_t
-    tension[5], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[10], const real_t wrench[2],
+    real_t tension[5], real_t delivered[2], real_t kkt_residual[1])
 {
     return tb_distribute_tension_closest(structure, wrench, tension, delivered, kkt_residual);
 }

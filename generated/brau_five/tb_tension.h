@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -20,8 +21,8 @@ extern "C" {
  *  Error of served: double at most 1.8e-13 N; float at most 1.0e-03 N.
  *  Error of inner: double at most 1.8e-13 N; float at most 1.0e-03 N.
  *  Cost, all branches: 183 add, 156 mul, 10 div, 71 compare, 119 select. */
-tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** The wrench that is served: an infeasible one is replaced by the nearest feasible one
  *    (facets of the zonotope {S T}).
@@ -32,8 +33,8 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
  *  Error of served: double at most 3.1e-14 N; float at most 6.2e-03 N.
  *  Error of inner: double at most 3.8e-14 N; float at most 6.2e-03 N.
  *  Cost, all branches: 143 add, 118 mul, 5 div, 60 compare, 71 select. */
-tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** Tensions of least norm within their bounds that exert a wrench  (Yoon eq. 12, by active
  *    sets: Goldfarb, Idnani 1983).
@@ -51,8 +52,8 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
  *  At most 25 steps.
  *  Cost, all branches and steps: 2214 add, 2513 mul, 256 div, 54 sqrt, 1388 compare, 3860
  *    select. */
-tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[2], real_t
-    tension[5], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[10], const real_t wrench[2],
+    real_t tension[5], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -114,8 +115,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[10], const real_t
     real_t tension[5], real_t delivered[2], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
-tb_status tb_distribute_tension(const real_t structure[10], const real_t wrench[2], real_t
-    tension[5], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[10], const real_t wrench[2],
+    real_t tension[5], real_t delivered[2], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

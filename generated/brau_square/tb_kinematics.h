@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -64,8 +65,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
  *    length_rates (0.7608, 1, -1, -0.9812)); float at most 1.4e-06 m/s (worst found 3.6e-07 at
  *    pose (0.056, 0.1272), length_rates (0.5665, -0.9525, -1, 0.3706)).
  *  Cost, all branches: 25 add, 39 mul, 6 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -108,9 +109,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *    (worst found 1.5e-04 at lengths (0.9995, 1.414, 1, 0.0001251), length_rates (-0.4397,
  *    -0.5525, 0.8911, -0.6911)).
  *  Cost, all branches: 85 add, 95 mul, 12 div, 9 sqrt, 11 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2]);
 
 #ifdef __cplusplus
 }

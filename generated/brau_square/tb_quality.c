@@ -1,16 +1,23 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+
+/* Refuses with a status: tension is 0 N. */
+static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[4])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    tension[3] = TB_C(0.0);
+    return status;
+}
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], real_t tension[4])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_zero_wrench_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -305,26 +312,11 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const bool t192 = tb_max(tb_max(t136, t190), TB_ABS(t191)) <= t43 * (TB_EPSILON *
         TB_C(1280.0));
     const bool t193 = !(t189 || t192);
-    if (t186) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t188) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t186 || t188) {
+        return tb_refuse_zero_wrench_tension(TB_SINGULAR, tension);
     }
     if (t193) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_zero_wrench_tension(TB_INACCURATE, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -333,12 +325,18 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     return t189 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: factor is 0. */
+static tb_status tb_refuse_tension_factor(tb_status status, real_t factor[1])
+{
+    factor[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t factor[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        factor[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_tension_factor(TB_OUT_OF_DOMAIN, factor);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -564,28 +562,25 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const bool t146 = !(t145 < t33 && t145 < t42);
     const bool t147 = !(TB_C(0.0) < t140);
     const bool t148 = !t30;
-    if (t144) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t146) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t147) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t144 || t146 || t147) {
+        return tb_refuse_tension_factor(TB_SINGULAR, factor);
     }
     factor[0] = factor_0;
     return t148 ? TB_INFEASIBLE : TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -629,22 +624,28 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const bool t33 = !t32;
     const bool t34 = !(TB_C(0.0) <= t30);
     if (t33) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_isotropic_force(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t34 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1])
+/* Refuses with a status: margin is 0 N; factor is 0; force is 0 N. */
+static tb_status tb_refuse_pose_quality(tb_status status, real_t margin[1], real_t factor[1],
+    real_t force[1])
+{
+    margin[0] = TB_C(0.0);
+    factor[0] = TB_C(0.0);
+    force[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -696,23 +697,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t40 = t10 * t10 + t17 * t17 + t22 * t22 + t27 * t27 + t29 * t29;
     const bool t41 = !(t39 * t39 < (t40 + t32 * t32) * TB_C(0.5));
     const bool t42 = !(TB_C(0.0) <= margin_0);
-    if (t38) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t41) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t38 || t41) {
+        return tb_refuse_pose_quality(TB_SINGULAR, margin, factor, force);
     }
     if (TB_C(0.0)) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_pose_quality(TB_INACCURATE, margin, factor, force);
     }
     margin[0] = margin_0;
     factor[0] = TB_C(0.0);
@@ -720,12 +709,18 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     return t42 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force_eq17(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force_eq17(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -1032,13 +1027,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t212 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t213 = !(t212 < t43 && t212 < t52);
     const bool t214 = !t40;
-    if (t211) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t213) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t211 || t213) {
+        return tb_refuse_isotropic_force_eq17(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t214 ? TB_INFEASIBLE : TB_OK;

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -62,8 +63,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
  *  Error of force: double at most 0.0e+00 N; float at most 1.3e-05 N (worst found 3.2e-06 at
  *    pose (0.4181, 0.5921)).
  *  Cost, all branches: 39 add, 47 mul, 4 div, 4 sqrt, 6 compare, 5 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

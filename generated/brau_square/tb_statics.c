@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
@@ -22,17 +23,23 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[4])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[4])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    share[3] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[4])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -78,19 +85,8 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], cons
     const real_t t36 = (t24 * t32 - t26 * t33 + t28 * t34 - t30 * t35) / t31;
     const real_t t37 = t32 * t32 + t33 * t33 + t34 * t34 + t35 * t35 - t31 * (t36 * t36);
     const bool t38 = !(t22 < t31 && t22 < t37);
-    if (t21) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t38) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t21 || t38) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;

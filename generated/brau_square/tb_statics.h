@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -30,8 +31,8 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *    wrench (21.01, 24.43)); float at most 2.8e-05 N (worst found 6.9e-06 at pose (0.2349,
  *    0.982), wrench (25.81, 24.18)).
  *  Cost, all branches: 32 add, 46 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[4]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[4]);
 
 #ifdef __cplusplus
 }

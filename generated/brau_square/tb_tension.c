@@ -1,22 +1,30 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
 
-tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_least_norm_tension_quick(tb_status status, real_t tension[4],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    tension[3] = TB_C(0.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension_quick(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t cross_02 = structure[0] * structure[6] - structure[4] * structure[2];
     /* s_i x W */
@@ -296,24 +304,10 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t152 = tb_min(t34 * (TB_EPSILON * TB_C(480.0)), TB_C(0.01));
     const bool t153 = !(kkt_residual_0 <= t152);
     if (t151) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension_quick(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     if (t153) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_least_norm_tension_quick(TB_INACCURATE, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -325,21 +319,28 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     return TB_OK;
 }
 
-tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_least_norm_tension(tb_status status, real_t tension[4],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    tension[3] = TB_C(0.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -652,24 +653,10 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t189 = tb_min(t26 * (TB_EPSILON * TB_C(1280.0)), TB_C(0.01));
     const bool t190 = !(kkt_residual_0 <= t189);
     if (t188) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     if (t190) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_least_norm_tension(TB_INACCURATE, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -681,8 +668,8 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     return TB_OK;
 }
 
-tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -983,8 +970,8 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
     return t40 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -1198,21 +1185,28 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
     return t40 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper(tb_status status, real_t tension[4],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    tension[3] = TB_C(0.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -1552,14 +1546,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const bool t205 = TB_C(10.0) < t186 || TB_C(10.0) < t187 || TB_C(10.0) < t188;
     const bool t206 = t205 || TB_C(10.0) < t190;
     if (t203) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -1571,8 +1558,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     return (t204 || t206) ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1])
 {
     tb_status status = tb_least_norm_tension_quick(structure, wrench, tension, delivered,
         kkt_residual);
@@ -1631,8 +1618,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1])
 {
     return tb_distribute_tension_closest(structure, wrench, tension, delivered, kkt_residual);
 }

@@ -1,20 +1,27 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
 
-tb_status tb_kernel_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4])
+/* Refuses with a status: tension is 0 N. */
+static tb_status tb_refuse_kernel_tension(tb_status status, real_t tension[4])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    tension[3] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_kernel_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(240000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_kernel_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = TB_C(64.0) * TB_EPSILON;
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -98,11 +105,7 @@ tb_status tb_kernel_tension(const real_t structure[12], const real_t wrench[3], 
     const bool t65 = !t64;
     const bool t66 = !t43;
     if (t65) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_kernel_tension(TB_SINGULAR, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -186,8 +189,8 @@ static tb_status tb_reduced_matrix_tension_visit(const real_t chosen[9], const r
 }
 
 /* After the last subset. */
-static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const real_t best[3], const
-    real_t cables[3], real_t tension[4])
+static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const real_t best[3],
+    const real_t cables[3], real_t tension[4])
 {
     const real_t t0 = tb_max(best[0], TB_C(0.0));
     const real_t t1 = tb_max(best[1], TB_C(0.0));
@@ -212,8 +215,8 @@ static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const r
     return t7 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_reduced_matrix_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4])
+tb_status tb_reduced_matrix_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4])
 {
     static const unsigned char subsets[4][3] = {{0,1,2}, {0,1,3}, {0,2,3}, {1,2,3}};
     real_t rest[3];
@@ -244,6 +247,19 @@ tb_status tb_reduced_matrix_tension(const real_t structure[12], const real_t wre
     return tb_reduced_matrix_tension_finish(least, best, cables, tension);
 }
 
+/* Refuses with a status: most is 0; least is 0; size is 0 N. */
+static tb_status tb_refuse_largest_tensions_eq12_begin(tb_status status, real_t most[4],
+    real_t least[1], real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    most[1] = TB_C(0.0);
+    most[2] = TB_C(0.0);
+    most[3] = TB_C(0.0);
+    least[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
 static tb_status tb_largest_tensions_eq12_begin(const real_t structure[12], const real_t force[1],
     real_t most[4], real_t least[1], real_t size[1])
@@ -253,13 +269,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[12], cons
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(20000.0))) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, most, least, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -288,13 +298,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[12], cons
     const real_t t22 = TB_ABS(TB_COPYSIGN(TB_SQRT(t20 * t20 + t21 * t21), t20));
     const bool t23 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t13) && t0 < t22);
     if (t23) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tensions_eq12_begin(TB_SINGULAR, most, least, size);
     }
     most[0] = TB_C(0.0);
     most[1] = TB_C(0.0);
@@ -306,8 +310,8 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[12], cons
 }
 
 /* One subset. */
-static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[6], const real_t numbers[2], const
-    real_t structure[12], real_t most[4], real_t least[1])
+static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t structure[12], real_t most[4], real_t least[1])
 {
     const bool t0 = (numbers[0] == TB_C(0.0)) || (TB_C(0.0) == numbers[1]);
     const real_t t1 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
@@ -350,8 +354,8 @@ static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[6], const re
 }
 
 /* After the last subset. */
-static tb_status tb_largest_tensions_eq12_finish(const real_t most[4], const real_t least[1], const
-    real_t size[1], real_t tension[4])
+static tb_status tb_largest_tensions_eq12_finish(const real_t most[4], const real_t least[1],
+    const real_t size[1], real_t tension[4])
 {
     const real_t tension_0 = size[0] * most[0];
     const real_t tension_1 = size[0] * most[1];
@@ -373,8 +377,8 @@ static tb_status tb_largest_tensions_eq12_finish(const real_t most[4], const rea
     return TB_OK;
 }
 
-tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t force[1], real_t
-    tension[4])
+tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t force[1],
+    real_t tension[4])
 {
     static const unsigned char subsets[6][2] = {{0,1}, {0,2}, {0,3}, {1,2}, {1,3}, {2,3}};
     real_t most[4];
@@ -404,18 +408,25 @@ tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t forc
     return tb_largest_tensions_eq12_finish(most, least, size, tension);
 }
 
+/* Refuses with a status: most is 0 N; size is 0 N. */
+static tb_status tb_refuse_largest_tension_begin(tb_status status, real_t most[1],
+    real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_largest_tension_begin(const real_t structure[12], const real_t force[1], real_t
-    most[1], real_t size[1])
+static tb_status tb_largest_tension_begin(const real_t structure[12], const real_t force[1],
+    real_t most[1], real_t size[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(20000.0))) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, most, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -444,9 +455,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[12], const real
     const real_t t22 = TB_ABS(TB_COPYSIGN(TB_SQRT(t20 * t20 + t21 * t21), t20));
     const bool t23 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t13) && t0 < t22);
     if (t23) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tension_begin(TB_SINGULAR, most, size);
     }
     most[0] = TB_C(0.0);
     size[0] = force[0];
@@ -454,8 +463,8 @@ static tb_status tb_largest_tension_begin(const real_t structure[12], const real
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[6], const real_t numbers[2], const
-    real_t structure[12], real_t most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t structure[12], real_t most[1], const real_t size[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
@@ -520,8 +529,8 @@ static tb_status tb_largest_tension_finish(const real_t most[1], real_t tension[
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tension(const real_t structure[12], const real_t force[1], real_t
-    tension[1])
+tb_status tb_largest_tension(const real_t structure[12], const real_t force[1],
+    real_t tension[1])
 {
     static const unsigned char subsets[6][2] = {{0,1}, {0,2}, {0,3}, {1,2}, {1,3}, {2,3}};
     real_t most[1];

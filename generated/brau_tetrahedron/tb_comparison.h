@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -20,8 +21,8 @@ extern "C" {
  *  TB_INFEASIBLE: the kernel has entries of both signs, or zero, and every cable holds T_min.
  *  Error of tension: double at most 2.5e-02 N; float at most 6.9e+04 N.
  *  Cost, all branches: 69 add, 87 mul, 10 div, 3 sqrt, 7 compare, 12 select. */
-tb_status tb_kernel_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4]);
+tb_status tb_kernel_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4]);
 
 /** Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of
  *    T_min and above the one of lowest sum; T_max is not looked at  (Brau eqs 6, 7).
@@ -33,8 +34,8 @@ tb_status tb_kernel_tension(const real_t structure[12], const real_t wrench[3], 
  *  Error of tension: double at most 1.0e-05 N; float at most 1.4e+01 N.
  *  Visits 4 subsets of the cables.
  *  Cost, all branches and steps: 92 add, 144 mul, 4 div, 21 compare, 63 select. */
-tb_status tb_reduced_matrix_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4]);
+tb_status tb_reduced_matrix_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4]);
 
 /** Upper bound of every tension over all directions of a force and all sets of d cables, T_min
  *    = 0: tight for d + 1 cables all around, else far too high  (Brau eq. 12 with |Delta|; 14
@@ -47,8 +48,8 @@ tb_status tb_reduced_matrix_tension(const real_t structure[12], const real_t wre
  *  Error of tension: double at most 1.3e-03 N; float at most 3.1e+01 N.
  *  Visits 6 subsets of the cables.
  *  Cost, all branches and steps: 146 add, 242 mul, 38 div, 9 sqrt, 58 compare, 110 select. */
-tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t force[1], real_t
-    tension[4]);
+tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t force[1],
+    real_t tension[4]);
 
 /** Least T_max with which every force of a size is feasible; exact for any number of cables
  *    (facets of {S T}, in place of Brau eq. 20).
@@ -60,8 +61,8 @@ tb_status tb_largest_tensions_eq12(const real_t structure[12], const real_t forc
  *  Error of tension: double at most 1.7e-02 N; float at most 2.6e+04 N.
  *  Visits 6 subsets of the cables.
  *  Cost, all branches and steps: 194 add, 255 mul, 26 div, 9 sqrt, 76 compare, 62 select. */
-tb_status tb_largest_tension(const real_t structure[12], const real_t force[1], real_t
-    tension[1]);
+tb_status tb_largest_tension(const real_t structure[12], const real_t force[1],
+    real_t tension[1]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
@@ -38,8 +39,18 @@ tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[12], const real_t tension[4], const real_t
-    hand_force[3], real_t load[4])
+/* Refuses with a status: load is 0 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[4])
+{
+    load[0] = TB_C(0.0);
+    load[1] = TB_C(0.0);
+    load[2] = TB_C(0.0);
+    load[3] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[12], const real_t tension[4],
+    const real_t hand_force[3], real_t load[4])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -49,11 +60,7 @@ tb_status tb_load_tension(const real_t structure[12], const real_t tension[4], c
               <= TB_C(80000.0)
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) + TB_ABS(hand_force[2]) <=
               TB_C(240000.0))) {
-        load[0] = TB_C(0.0);
-        load[1] = TB_C(0.0);
-        load[2] = TB_C(0.0);
-        load[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[4] * structure[0] + structure[5] * structure[1];
     const real_t t1 = t0 + structure[6] * structure[2] + structure[7] * structure[3];
@@ -96,11 +103,7 @@ tb_status tb_load_tension(const real_t structure[12], const real_t tension[4], c
     const real_t t34 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t35 = !(t34 < t3 && t34 < t14 && t34 < t26);
     if (t35) {
-        load[0] = TB_C(0.0);
-        load[1] = TB_C(0.0);
-        load[2] = TB_C(0.0);
-        load[3] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;

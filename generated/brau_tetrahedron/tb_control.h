@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -38,8 +39,8 @@ tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t f
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
  *  Error of load: double at most 6.5e-13 N; float at most 2.7e-04 N.
  *  Cost, all branches: 52 add, 68 mul, 3 div, 3 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[12], const real_t tension[4], const real_t
-    hand_force[3], real_t load[4]);
+tb_status tb_load_tension(const real_t structure[12], const real_t tension[4],
+    const real_t hand_force[3], real_t load[4]);
 
 #ifdef __cplusplus
 }

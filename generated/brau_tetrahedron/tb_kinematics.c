@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[12])
@@ -61,15 +62,21 @@ tb_status tb_cable_vectors(const real_t pose[3], const real_t rails[1], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[4])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    length[3] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[1], real_t length[4])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) + TB_ABS(pose[2]) <= TB_C(6.0))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[1] * pose[1];
     const real_t t1 = pose[2] * pose[2];
@@ -87,11 +94,7 @@ tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[1], real_t l
     const bool t9 = t8 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t10 = !t9;
     if (t10) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -100,23 +103,29 @@ tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[1], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[12])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    structure[10] = TB_C(0.0);
+    structure[11] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[1], real_t structure[12])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) + TB_ABS(pose[2]) <= TB_C(6.0))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[1] * pose[1];
     const real_t t1 = pose[2] * pose[2];
@@ -151,19 +160,7 @@ tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[1], real_
     const bool t13 = t12 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t14 = !t13;
     if (t14) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -180,23 +177,29 @@ tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[1], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[12])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = TB_C(0.0);
+    jacobian[11] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[1], real_t jacobian[12])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) + TB_ABS(pose[2]) <= TB_C(6.0))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[1] * pose[1];
     const real_t t1 = pose[2] * pose[2];
@@ -231,19 +234,7 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[1], real_t
     const bool t13 = t12 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t14 = !t13;
     if (t14) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -260,18 +251,24 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[1], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t velocity[3])
+/* Refuses with a status: velocity is 0 m/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[3])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    velocity[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[3])
 {
     (void)rails;
     (void)rail_rates;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) + TB_ABS(pose[2]) <= TB_C(6.0)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = TB_C(1.0) - pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -326,22 +323,24 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1], const re
     const bool t42 = !t41;
     const real_t t43 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t44 = !(t43 < t18 && t43 < t27 && t43 < t39);
-    if (t42) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t44) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t42 || t44) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     velocity[2] = velocity_2;
     return TB_OK;
+}
+
+/* Refuses with a status: pose is 0 m; residual is 0 m. */
+static tb_status tb_refuse_forward_kinematics(tb_status status, real_t pose[3],
+    real_t residual[1])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    pose[2] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[3],
@@ -352,11 +351,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
           && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(10.730087938848659)
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(10.730087938848659)
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(10.730087938848659))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
     const real_t t0 = TB_C(0.375) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.375) - lengths[1] * lengths[1];
@@ -454,19 +449,8 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const bool t74 = t73 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
     const bool t75 = t74 && TB_C(0.0001) < t59 && TB_C(0.0001) < t61 && TB_C(0.0001) < t65;
     const bool t76 = !(t75 && TB_C(0.0001) < t69);
-    if (t72) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t76) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t72 || t76) {
+        return tb_refuse_forward_kinematics(TB_SINGULAR, pose, residual);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -475,9 +459,35 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     return TB_OK;
 }
 
-tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t pose[3], real_t residual[1], real_t
-    structure[12], real_t velocity[3])
+/* Refuses with a status: pose is 0 m; residual is 0 m; structure is 0; velocity is 0 m/s. */
+static tb_status tb_refuse_locate(tb_status status, real_t pose[3], real_t residual[1],
+    real_t structure[12], real_t velocity[3])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    pose[2] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    structure[10] = TB_C(0.0);
+    structure[11] = TB_C(0.0);
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    velocity[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t pose[3],
+    real_t residual[1], real_t structure[12], real_t velocity[3])
 {
     (void)rails;
     (void)rail_rates;
@@ -487,26 +497,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(10.730087938848659)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
     const real_t t0 = TB_C(0.375) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.375) - lengths[1] * lengths[1];
@@ -652,71 +643,8 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const bool t106 = !(t105 && TB_C(0.0001) < t69);
     const real_t t107 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t108 = !(t107 < t83 && t107 < t90 && t107 < t99);
-    if (t102) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t106) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t108) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t102 || t106 || t108) {
+        return tb_refuse_locate(TB_SINGULAR, pose, residual, structure, velocity);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;

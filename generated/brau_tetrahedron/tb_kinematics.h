@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -64,8 +65,8 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[1], real_t
  *    0.7591), length_rates (0.9059, -1, 1, -0.4423)); float at most 1.3e-04 m/s (worst found
  *    3.2e-05 at pose (0.4999, 0.866, 0), length_rates (-0.3803, -0.2659, -0.9948, -0.9285)).
  *  Cost, all branches: 51 add, 76 mul, 7 div, 4 sqrt, 7 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t velocity[3]);
+tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[3]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -109,9 +110,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *    (worst found 7.4e-05 at lengths (0.9974, 0.998, 0.004063, 0.9975), length_rates (-0.3891,
  *    -0.1283, -0.6824, -0.913)).
  *  Cost, all branches: 143 add, 176 mul, 14 div, 9 sqrt, 13 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t pose[3], real_t residual[1], real_t
-    structure[12], real_t velocity[3]);
+tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t pose[3],
+    real_t residual[1], real_t structure[12], real_t velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"
@@ -42,8 +43,8 @@ static tb_status tb_balance_begin(const real_t structure[12], real_t margin[1])
 }
 
 /* One subset. */
-static tb_status tb_balance_visit(const real_t chosen[6], const real_t numbers[2], const real_t
-    structure[12], real_t margin[1])
+static tb_status tb_balance_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t structure[12], real_t margin[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
@@ -138,6 +139,16 @@ static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[
     return TB_OK;
 }
 
+/* Refuses with a status: tension is 0 N. */
+static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[4])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    tension[3] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[1], real_t tension[4])
 {
     real_t structure[12];
@@ -150,29 +161,17 @@ tb_status tb_zero_wrench_tension(const real_t pose[3], const real_t rails[1], re
     tb_status status;
     status = tb_structure_matrix(pose, rails, structure);
     if (status > TB_INFEASIBLE) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return status;
+        return tb_refuse_zero_wrench_tension(status, tension);
     }
     status = tb_balance(structure, balanced, wrench);
     if (status > TB_INFEASIBLE) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        tension[3] = TB_C(0.0);
-        return status;
+        return tb_refuse_zero_wrench_tension(status, tension);
     }
     infeasible = infeasible || status == TB_INFEASIBLE;
     if (balanced[0] > TB_C(0.0)) {
         status = tb_least_norm_tension(structure, wrench, rest, exerted, residual);
         if (status > TB_INFEASIBLE) {
-            tension[0] = TB_C(0.0);
-            tension[1] = TB_C(0.0);
-            tension[2] = TB_C(0.0);
-            tension[3] = TB_C(0.0);
-            return status;
+            return tb_refuse_zero_wrench_tension(status, tension);
         }
     }
     status = tb_tension_at_rest(balanced, rest, tension);
@@ -202,6 +201,13 @@ static tb_status tb_factor_at_rest(const real_t balanced[1], const real_t rest[4
     return TB_OK;
 }
 
+/* Refuses with a status: factor is 0. */
+static tb_status tb_refuse_tension_factor(tb_status status, real_t factor[1])
+{
+    factor[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_tension_factor(const real_t pose[3], const real_t rails[1], real_t factor[1])
 {
     real_t structure[12];
@@ -214,20 +220,17 @@ tb_status tb_tension_factor(const real_t pose[3], const real_t rails[1], real_t 
     tb_status status;
     status = tb_structure_matrix(pose, rails, structure);
     if (status > TB_INFEASIBLE) {
-        factor[0] = TB_C(0.0);
-        return status;
+        return tb_refuse_tension_factor(status, factor);
     }
     status = tb_balance(structure, balanced, wrench);
     if (status > TB_INFEASIBLE) {
-        factor[0] = TB_C(0.0);
-        return status;
+        return tb_refuse_tension_factor(status, factor);
     }
     infeasible = infeasible || status == TB_INFEASIBLE;
     if (balanced[0] > TB_C(0.0)) {
         status = tb_least_norm_tension(structure, wrench, rest, exerted, residual);
         if (status > TB_INFEASIBLE) {
-            factor[0] = TB_C(0.0);
-            return status;
+            return tb_refuse_tension_factor(status, factor);
         }
     }
     status = tb_factor_at_rest(balanced, rest, factor);
@@ -274,8 +277,8 @@ static tb_status tb_isotropic_begin(const real_t structure[12], real_t margin[1]
 }
 
 /* One subset. */
-static tb_status tb_isotropic_visit(const real_t chosen[6], const real_t numbers[2], const real_t
-    structure[12], real_t margin[1], real_t radius[1])
+static tb_status tb_isotropic_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t structure[12], real_t margin[1], real_t radius[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];

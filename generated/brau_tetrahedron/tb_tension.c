@@ -1,6 +1,21 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[4], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
 
 /* All cables are free. */
 static tb_status tb_least_norm_tension_begin(const real_t structure[12], const real_t wrench[3],
@@ -11,14 +26,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[12], const r
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(240000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -50,14 +58,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[12], const r
     const real_t t24 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t25 = !(t24 < t4 && t24 < t14 && t24 < t23);
     if (t25) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -70,8 +71,8 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[12], const r
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_least_norm_tension_step(const real_t structure[12], const real_t wrench[3], real_t
-    side[4], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_least_norm_tension_step(const real_t structure[12], const real_t wrench[3],
+    real_t side[4], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -288,8 +289,8 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
 
 /* The tensions, refined and judged. */
 static tb_status tb_least_norm_tension_finish(const real_t structure[12], const real_t wrench[3],
-    const real_t pivot[1], const real_t side[4], real_t tension[4], real_t delivered[3], real_t
-    kkt_residual[1])
+    const real_t pivot[1], const real_t side[4], real_t tension[4], real_t delivered[3],
+    real_t kkt_residual[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const bool t1 = TB_C(0.0) < side[0];
@@ -442,8 +443,8 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[12], const 
     return TB_OK;
 }
 
-tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4], real_t delivered[3], real_t kkt_residual[1])
+tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4], real_t delivered[3], real_t kkt_residual[1])
 {
     real_t pivot[1];
     real_t side[4];
@@ -473,6 +474,20 @@ tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[
         kkt_residual);
 }
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper_begin(tb_status status, real_t pivot[1],
+    real_t side[4], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
 static tb_status tb_distribute_tension_paper_begin(const real_t structure[12], const real_t wrench[3],
     real_t pivot[1], real_t side[4], real_t moving[1], real_t push[1])
@@ -482,14 +497,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[12], c
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(240000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -521,14 +529,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[12], c
     const real_t t24 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t25 = !(t24 < t4 && t24 < t14 && t24 < t23);
     if (t25) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -760,9 +761,9 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[12], co
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_distribute_tension_paper_finish(const real_t structure[12], const real_t
-    wrench[3], const real_t pivot[1], const real_t side[4], real_t tension[4], real_t
-    delivered[3], real_t kkt_residual[1])
+static tb_status tb_distribute_tension_paper_finish(const real_t structure[12], const real_t wrench[3],
+    const real_t pivot[1], const real_t side[4], real_t tension[4], real_t delivered[3],
+    real_t kkt_residual[1])
 {
     const bool t0 = TB_C(0.0) < side[0];
     const real_t t1 = t0 ? TB_C(1000000000000.0) : TB_C(0.0);
@@ -1448,8 +1449,8 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[12], con
     return t3 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wrench[3], real_t
-    served[3], real_t inner[3])
+tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wrench[3],
+    real_t served[3], real_t inner[3])
 {
     real_t points[12];
     real_t weight[4];
@@ -1477,23 +1478,30 @@ tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wren
     return tb_served_wrench_closest_finish(structure, wrench, offset, served, inner);
 }
 
+/* Refuses with a status: asked is 0 N; inside is 0; largest is 0; first is 0; last is 0. */
+static tb_status tb_refuse_wrench_ray_begin(tb_status status, real_t asked[3], real_t inside[1],
+    real_t largest[1], real_t first[1], real_t last[1])
+{
+    asked[0] = TB_C(0.0);
+    asked[1] = TB_C(0.0);
+    asked[2] = TB_C(0.0);
+    inside[0] = TB_C(0.0);
+    largest[0] = TB_C(0.0);
+    first[0] = TB_C(0.0);
+    last[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_wrench_ray_begin(const real_t structure[12], const real_t wrench[3], real_t
-    asked[3], real_t inside[1], real_t largest[1], real_t first[1], real_t last[1])
+static tb_status tb_wrench_ray_begin(const real_t structure[12], const real_t wrench[3],
+    real_t asked[3], real_t inside[1], real_t largest[1], real_t first[1], real_t last[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) + TB_ABS(structure[8]) +
               TB_ABS(structure[9]) + TB_ABS(structure[10]) + TB_ABS(structure[11]) <= TB_C(48.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(240000.0))) {
-        asked[0] = TB_C(0.0);
-        asked[1] = TB_C(0.0);
-        asked[2] = TB_C(0.0);
-        inside[0] = TB_C(0.0);
-        largest[0] = TB_C(0.0);
-        first[0] = TB_C(0.0);
-        last[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_ray_begin(TB_OUT_OF_DOMAIN, asked, inside, largest, first, last);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -1522,14 +1530,7 @@ static tb_status tb_wrench_ray_begin(const real_t structure[12], const real_t wr
     const real_t t22 = TB_ABS(TB_COPYSIGN(TB_SQRT(t20 * t20 + t21 * t21), t20));
     const bool t23 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t13) && t0 < t22);
     if (t23) {
-        asked[0] = TB_C(0.0);
-        asked[1] = TB_C(0.0);
-        asked[2] = TB_C(0.0);
-        inside[0] = TB_C(0.0);
-        largest[0] = TB_C(0.0);
-        first[0] = TB_C(0.0);
-        last[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_wrench_ray_begin(TB_SINGULAR, asked, inside, largest, first, last);
     }
     asked[0] = wrench[0];
     asked[1] = wrench[1];
@@ -1542,9 +1543,9 @@ static tb_status tb_wrench_ray_begin(const real_t structure[12], const real_t wr
 }
 
 /* One subset. */
-static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t numbers[2], const real_t
-    structure[12], const real_t asked[3], real_t inside[1], real_t largest[1], real_t first[1],
-    real_t last[1])
+static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t structure[12], const real_t asked[3], real_t inside[1], real_t largest[1],
+    real_t first[1], real_t last[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
@@ -1611,8 +1612,9 @@ static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t number
 }
 
 /* After the last subset. */
-static tb_status tb_wrench_ray_finish(const real_t inside[1], const real_t largest[1], const real_t
-    first[1], const real_t last[1], real_t feasible[1], real_t fraction[1], real_t missed[1])
+static tb_status tb_wrench_ray_finish(const real_t inside[1], const real_t largest[1],
+    const real_t first[1], const real_t last[1], real_t feasible[1], real_t fraction[1],
+    real_t missed[1])
 {
     const real_t fraction_0 = tb_max(largest[0], TB_C(0.0));
     const real_t missed_0 = inside[0] <= TB_C(0.0) && last[0] < first[0] ? TB_C(1.0) :
@@ -1659,9 +1661,9 @@ static tb_status tb_wrench_ray(const real_t structure[12], const real_t wrench[3
 
 /* The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *   largest feasible fraction. */
-static tb_status tb_served_fraction(const real_t structure[12], const real_t wrench[3], const real_t
-    feasible[1], const real_t fraction[1], const real_t missed[1], const real_t closest[3],
-    real_t served[3], real_t inner[3])
+static tb_status tb_served_fraction(const real_t structure[12], const real_t wrench[3],
+    const real_t feasible[1], const real_t fraction[1], const real_t missed[1],
+    const real_t closest[3], real_t served[3], real_t inner[3])
 {
     const bool t0 = TB_C(0.0) < feasible[0];
     const bool t1 = !t0;
@@ -1698,8 +1700,21 @@ static tb_status tb_served_fraction(const real_t structure[12], const real_t wre
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench[3], real_t
-    served[3], real_t inner[3])
+/* Refuses with a status: served is 0 N; inner is 0 N. */
+static tb_status tb_refuse_served_wrench_scale(tb_status status, real_t served[3],
+    real_t inner[3])
+{
+    served[0] = TB_C(0.0);
+    served[1] = TB_C(0.0);
+    served[2] = TB_C(0.0);
+    inner[0] = TB_C(0.0);
+    inner[1] = TB_C(0.0);
+    inner[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench[3],
+    real_t served[3], real_t inner[3])
 {
     real_t feasible[1];
     real_t fraction[1];
@@ -1710,24 +1725,12 @@ tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench
     tb_status status;
     status = tb_wrench_ray(structure, wrench, feasible, fraction, missed);
     if (status > TB_INFEASIBLE) {
-        served[0] = TB_C(0.0);
-        served[1] = TB_C(0.0);
-        served[2] = TB_C(0.0);
-        inner[0] = TB_C(0.0);
-        inner[1] = TB_C(0.0);
-        inner[2] = TB_C(0.0);
-        return status;
+        return tb_refuse_served_wrench_scale(status, served, inner);
     }
     if (missed[0] > TB_C(0.0)) {
         status = tb_served_wrench_closest(structure, wrench, closest, closer);
         if (status > TB_INFEASIBLE) {
-            served[0] = TB_C(0.0);
-            served[1] = TB_C(0.0);
-            served[2] = TB_C(0.0);
-            inner[0] = TB_C(0.0);
-            inner[1] = TB_C(0.0);
-            inner[2] = TB_C(0.0);
-            return status;
+            return tb_refuse_served_wrench_scale(status, served, inner);
         }
         infeasible = infeasible || status == TB_INFEASIBLE;
     }
@@ -1778,8 +1781,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[12], const real_t
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4], real_t delivered[3], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4], real_t delivered[3], real_t kkt_residual[1])
 {
     return tb_distribute_tension_closest(structure, wrench, tension, delivered, kkt_residual);
 }

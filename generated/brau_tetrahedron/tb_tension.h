@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -27,8 +28,8 @@ extern "C" {
  *  At most 20 steps.
  *  Cost, all branches and steps: 2207 add, 2620 mul, 229 div, 66 sqrt, 912 compare, 3061
  *    select. */
-tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4], real_t delivered[3], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -62,8 +63,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[12], const real_t w
  *  At most 160 steps.
  *  Cost, all branches and steps: 32246 add, 29031 mul, 6410 compare, 38747 select, 1920 div,
  *    801 sqrt. */
-tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wrench[3], real_t
-    served[3], real_t inner[3]);
+tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wrench[3],
+    real_t served[3], real_t inner[3]);
 
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
@@ -80,8 +81,8 @@ tb_status tb_served_wrench_closest(const real_t structure[12], const real_t wren
  *  Visits 6 subsets of the cables.
  *  Cost, all branches and steps: 32503 add, 29335 mul, 1940 div, 810 sqrt, 6489 compare, 38858
  *    select. */
-tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench[3], real_t
-    served[3], real_t inner[3]);
+tb_status tb_served_wrench_scale(const real_t structure[12], const real_t wrench[3],
+    real_t served[3], real_t inner[3]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
  *    scaled down to the largest feasible fraction  (Yoon eq. 12).
@@ -129,8 +130,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[12], const real_t
     real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
-tb_status tb_distribute_tension(const real_t structure[12], const real_t wrench[3], real_t
-    tension[4], real_t delivered[3], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[12], const real_t wrench[3],
+    real_t tension[4], real_t delivered[3], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

@@ -1,17 +1,24 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
 
-tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3])
+/* Refuses with a status: tension is 0 N. */
+static tb_status tb_refuse_kernel_tension(tb_status status, real_t tension[3])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(120000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_kernel_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = TB_C(64.0) * TB_EPSILON;
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -63,10 +70,7 @@ tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], r
     const bool t36 = !(t35 < TB_ABS(t3) && t35 < TB_ABS(t14));
     const bool t37 = !t23;
     if (t36) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_kernel_tension(TB_SINGULAR, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -74,8 +78,8 @@ tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], r
     return t37 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force[1], real_t
-    tension[3])
+tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force[1],
+    real_t tension[3])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
@@ -210,8 +214,8 @@ tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force
     return t48 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3])
+tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
@@ -275,6 +279,18 @@ tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wren
     return t37 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: most is 0; least is 0; size is 0 N. */
+static tb_status tb_refuse_largest_tensions_eq12_begin(tb_status status, real_t most[3],
+    real_t least[1], real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    most[1] = TB_C(0.0);
+    most[2] = TB_C(0.0);
+    least[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
 static tb_status tb_largest_tensions_eq12_begin(const real_t structure[6], const real_t force[1],
     real_t most[3], real_t least[1], real_t size[1])
@@ -282,12 +298,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[6], const
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(20000.0))) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, most, least, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -300,12 +311,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[6], const
     const real_t t8 = TB_ABS(TB_COPYSIGN(TB_SQRT(t6 * t6 + t7 * t7), t6));
     const bool t9 = !(t0 < TB_ABS(t3) && t0 < t8);
     if (t9) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tensions_eq12_begin(TB_SINGULAR, most, least, size);
     }
     most[0] = TB_C(0.0);
     most[1] = TB_C(0.0);
@@ -316,8 +322,8 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[6], const
 }
 
 /* One subset. */
-static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1], const
-    real_t structure[6], real_t most[3], real_t least[1])
+static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1],
+    const real_t structure[6], real_t most[3], real_t least[1])
 {
     const bool t0 = numbers[0] == TB_C(0.0);
     const real_t t1 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
@@ -345,8 +351,8 @@ static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const re
 }
 
 /* After the last subset. */
-static tb_status tb_largest_tensions_eq12_finish(const real_t most[3], const real_t least[1], const
-    real_t size[1], real_t tension[3])
+static tb_status tb_largest_tensions_eq12_finish(const real_t most[3], const real_t least[1],
+    const real_t size[1], real_t tension[3])
 {
     const real_t tension_0 = size[0] * most[0];
     const real_t tension_1 = size[0] * most[1];
@@ -365,8 +371,8 @@ static tb_status tb_largest_tensions_eq12_finish(const real_t most[3], const rea
     return TB_OK;
 }
 
-tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force[1], real_t
-    tension[3])
+tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force[1],
+    real_t tension[3])
 {
     static const unsigned char subsets[3][1] = {{0}, {1}, {2}};
     real_t most[3];
@@ -395,16 +401,23 @@ tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force
     return tb_largest_tensions_eq12_finish(most, least, size, tension);
 }
 
+/* Refuses with a status: most is 0 N; size is 0 N. */
+static tb_status tb_refuse_largest_tension_begin(tb_status status, real_t most[1],
+    real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_largest_tension_begin(const real_t structure[6], const real_t force[1], real_t
-    most[1], real_t size[1])
+static tb_status tb_largest_tension_begin(const real_t structure[6], const real_t force[1],
+    real_t most[1], real_t size[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(20000.0))) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, most, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -417,9 +430,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[6], const real_
     const real_t t8 = TB_ABS(TB_COPYSIGN(TB_SQRT(t6 * t6 + t7 * t7), t6));
     const bool t9 = !(t0 < TB_ABS(t3) && t0 < t8);
     if (t9) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tension_begin(TB_SINGULAR, most, size);
     }
     most[0] = TB_C(0.0);
     size[0] = force[0];
@@ -427,8 +438,8 @@ static tb_status tb_largest_tension_begin(const real_t structure[6], const real_
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1], const
-    real_t structure[6], real_t most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1],
+    const real_t structure[6], real_t most[1], const real_t size[1])
 {
     const real_t t0 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
     real_t most_0;
@@ -478,8 +489,8 @@ static tb_status tb_largest_tension_finish(const real_t most[1], real_t tension[
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tension(const real_t structure[6], const real_t force[1], real_t
-    tension[1])
+tb_status tb_largest_tension(const real_t structure[6], const real_t force[1],
+    real_t tension[1])
 {
     static const unsigned char subsets[3][1] = {{0}, {1}, {2}};
     real_t most[1];

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -23,8 +24,8 @@ extern "C" {
  *    (worst found 8.9e+03 at structure (-0.9999, 0.9993, 0.1858, -0, -1.18e-05, 0.9155), wrench
  *    (3.972, -14.67)).
  *  Cost, all branches: 32 add, 43 mul, 7 div, 2 sqrt, 5 compare, 9 select. */
-tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3]);
+tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3]);
 
 /** Largest tension of every cable over all directions of a force that the two adjacent cables
  *    bear, T_min = 0  (Brau eqs 14, 17 with adjacent cables only).
@@ -37,8 +38,8 @@ tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], r
  *    found 2.4e+03 at structure (-0.9239, 0.5222, -0.485, -0.3758, -0.9446, 0.8772), force
  *    (23.5)).
  *  Cost, all branches: 9 add, 16 mul, 6 div, 9 compare, 26 select. */
-tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force[1], real_t
-    tension[3]);
+tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force[1],
+    real_t tension[3]);
 
 /** Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of
  *    T_min and above the one of lowest sum; T_max is not looked at  (Brau eqs 6, 7).
@@ -52,8 +53,8 @@ tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force
  *    (worst found 2.6e+00 at structure (-0.5986, 0.5151, -0.5268, -0.7146, -0.8598, 0.8803),
  *    wrench (24.91, 36.03)).
  *  Cost, all branches: 21 add, 23 mul, 3 div, 6 compare, 25 select. */
-tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3]);
+tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3]);
 
 /** Upper bound of every tension over all directions of a force and all sets of d cables, T_min
  *    = 0: tight for d + 1 cables all around, else far too high  (Brau eq. 12 with |Delta|; 14
@@ -69,8 +70,8 @@ tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wren
  *    (39.5)).
  *  Visits 3 subsets of the cables.
  *  Cost, all branches and steps: 21 add, 49 mul, 13 div, 5 sqrt, 15 compare, 44 select. */
-tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force[1], real_t
-    tension[3]);
+tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force[1],
+    real_t tension[3]);
 
 /** Least T_max with which every force of a size is feasible; exact for any number of cables
  *    (facets of {S T}, in place of Brau eq. 20).
@@ -84,8 +85,8 @@ tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force
  *    8.9e+03 at structure (-0.9336, 0.5082, -0.4942, -0.3708, -0.893, 0.8685), force (30.63)).
  *  Visits 3 subsets of the cables.
  *  Cost, all branches and steps: 39 add, 54 mul, 10 div, 5 sqrt, 24 compare, 29 select. */
-tb_status tb_largest_tension(const real_t structure[6], const real_t force[1], real_t
-    tension[1]);
+tb_status tb_largest_tension(const real_t structure[6], const real_t force[1],
+    real_t tension[1]);
 
 #ifdef __cplusplus
 }

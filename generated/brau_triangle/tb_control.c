@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
@@ -32,17 +33,23 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], const real_t
-    hand_force[2], real_t load[3])
+/* Refuses with a status: load is 0 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[3])
+{
+    load[0] = TB_C(0.0);
+    load[1] = TB_C(0.0);
+    load[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[6], const real_t tension[3],
+    const real_t hand_force[2], real_t load[3])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) <= TB_C(60000.0)
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) <= TB_C(120000.0))) {
-        load[0] = TB_C(0.0);
-        load[1] = TB_C(0.0);
-        load[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[3] * structure[0] + structure[4] * structure[1];
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -63,10 +70,7 @@ tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], co
     const real_t t13 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t14 = !(t13 < t2 && t13 < t10);
     if (t14) {
-        load[0] = TB_C(0.0);
-        load[1] = TB_C(0.0);
-        load[2] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -37,8 +38,8 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  TB_SINGULAR: the cables are parallel.
  *  Error of load: double at most 1.7e-13 N; float at most 9.8e-05 N.
  *  Cost, all branches: 21 add, 28 mul, 2 div, 2 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], const real_t
-    hand_force[2], real_t load[3]);
+tb_status tb_load_tension(const real_t structure[6], const real_t tension[3],
+    const real_t hand_force[2], real_t load[3]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[6])
@@ -40,14 +41,20 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[3])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t length[3])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[1] * pose[1];
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
@@ -59,10 +66,7 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     const bool t4 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t5 = !(t4 && TB_C(0.0001) < length_2);
     if (t5) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -70,17 +74,23 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[6])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_t structure[6])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -102,13 +112,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const bool t7 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t8 = !(t7 && TB_C(0.0001) < length_2);
     if (t8) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -119,17 +123,23 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[6])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t jacobian[6])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -151,13 +161,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const bool t7 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t8 = !(t7 && TB_C(0.0001) < length_2);
     if (t8) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -168,17 +172,23 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[3], const real_t rail_rates[1], real_t velocity[2])
+/* Refuses with a status: velocity is 0 m/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[2])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[3], const real_t rail_rates[1], real_t velocity[2])
 {
     (void)rails;
     (void)rail_rates;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) <=
               TB_C(300.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = TB_C(1.0) - pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -209,19 +219,22 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
     const bool t20 = !(t19 && TB_C(0.0001) < length_2);
     const real_t t21 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t22 = !(t21 < t11 && t21 < t18);
-    if (t20) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t22) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t20 || t22) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     return TB_OK;
+}
+
+/* Refuses with a status: pose is 0 m; residual is 0 m. */
+static tb_status tb_refuse_forward_kinematics(tb_status status, real_t pose[2],
+    real_t residual[1])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], real_t pose[2],
@@ -231,10 +244,7 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], 
     if (!(lengths[0] >= TB_C(0.0) && lengths[0] <= TB_C(7.464101615137754)
           && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(7.464101615137754)
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(7.464101615137754))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
     const real_t t0 = TB_C(0.3333333333333333) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.3333333333333333) - lengths[1] * lengths[1];
@@ -293,17 +303,8 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], 
     const bool t39 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
     const bool t40 = t39 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < t30;
     const bool t41 = !(t40 && TB_C(0.0001) < t32 && TB_C(0.0001) < t35);
-    if (t38) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t41) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t38 || t41) {
+        return tb_refuse_forward_kinematics(TB_SINGULAR, pose, residual);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -311,9 +312,27 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], 
     return TB_OK;
 }
 
-tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
-    length_rates[3], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[6], real_t velocity[2])
+/* Refuses with a status: pose is 0 m; residual is 0 m; structure is 0; velocity is 0 m/s. */
+static tb_status tb_refuse_locate(tb_status status, real_t pose[2], real_t residual[1],
+    real_t structure[6], real_t velocity[2])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_locate(const real_t lengths[3], const real_t rails[1],
+    const real_t length_rates[3], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[6], real_t velocity[2])
 {
     (void)rails;
     (void)rail_rates;
@@ -322,18 +341,7 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(7.464101615137754)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) <=
               TB_C(300.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
     const real_t t0 = TB_C(0.3333333333333333) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.3333333333333333) - lengths[1] * lengths[1];
@@ -418,47 +426,8 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
     const bool t56 = !(t55 && TB_C(0.0001) < t32 && TB_C(0.0001) < t35);
     const real_t t57 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t58 = !(t57 < t45 && t57 < t51);
-    if (t53) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t56) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t58) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t53 || t56 || t58) {
+        return tb_refuse_locate(TB_SINGULAR, pose, residual, structure, velocity);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;

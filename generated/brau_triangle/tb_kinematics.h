@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -64,8 +65,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
  *    0.07792), length_rates (0.4221, -0.9943, 0.9136)); float at most 2.5e-04 m/s (worst found
  *    6.2e-05 at pose (0.4999, 0.866), length_rates (-0.07688, 0.9856, -0.9907)).
  *  Cost, all branches: 20 add, 33 mul, 5 div, 3 sqrt, 5 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[3], const real_t rail_rates[1], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[3], const real_t rail_rates[1], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -103,9 +104,9 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[1], 
  *    length_rates (0.7764, -0.9997, -0.1065)); float at most 5.4e-03 m/s (worst found 1.3e-03
  *    at lengths (1, 1, 0), length_rates (0.02474, 0.7042, -1)).
  *  Cost, all branches: 64 add, 78 mul, 10 div, 7 sqrt, 9 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[3], const real_t rails[1], const real_t
-    length_rates[3], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[6], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[3], const real_t rails[1],
+    const real_t length_rates[3], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[6], real_t velocity[2]);
 
 #ifdef __cplusplus
 }

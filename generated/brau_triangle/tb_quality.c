@@ -1,15 +1,22 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+
+/* Refuses with a status: tension is 0 N. */
+static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[3])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    return status;
+}
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], real_t tension[3])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_zero_wrench_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -111,23 +118,11 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t71 = tb_max(TB_C(0.0), TB_ABS(t7 * t64 - t2 * t63 + t12 * t65));
     const real_t t72 = tb_max(t71, TB_ABS(t13 * t65 - (t6 * t63 + t5 * t64)));
     const bool t73 = !(t70 || t72 <= t40 * (TB_EPSILON * TB_C(2560.0)));
-    if (t67) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t69) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t67 || t69) {
+        return tb_refuse_zero_wrench_tension(TB_SINGULAR, tension);
     }
     if (t73) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_zero_wrench_tension(TB_INACCURATE, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -135,12 +130,18 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     return t70 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: factor is 0. */
+static tb_status tb_refuse_tension_factor(tb_status status, real_t factor[1])
+{
+    factor[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t factor[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        factor[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_tension_factor(TB_OUT_OF_DOMAIN, factor);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -244,28 +245,25 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const bool t66 = !(t65 < t38 && t65 < t39);
     const bool t67 = !(TB_C(0.0) < t62);
     const bool t68 = !t21;
-    if (t64) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t66) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t67) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t64 || t66 || t67) {
+        return tb_refuse_tension_factor(TB_SINGULAR, factor);
     }
     factor[0] = factor_0;
     return t68 ? TB_INFEASIBLE : TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -298,22 +296,28 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const bool t23 = !(t22 && TB_C(0.0001) < length_2);
     const bool t24 = !(TB_C(0.0) <= t21);
     if (t23) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_isotropic_force(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t24 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1])
+/* Refuses with a status: margin is 0 N; factor is 0; force is 0 N. */
+static tb_status tb_refuse_pose_quality(tb_status status, real_t margin[1], real_t factor[1],
+    real_t force[1])
+{
+    margin[0] = TB_C(0.0);
+    factor[0] = TB_C(0.0);
+    force[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -351,23 +355,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t27 = (t8 * t8 + t15 * t15 + t20 * t20) * TB_C(0.6666666666666666);
     const bool t28 = !(t26 * t26 < t27);
     const bool t29 = !(TB_C(0.0) <= margin_0);
-    if (t25) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t28) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t25 || t28) {
+        return tb_refuse_pose_quality(TB_SINGULAR, margin, factor, force);
     }
     if (TB_C(0.0)) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_pose_quality(TB_INACCURATE, margin, factor, force);
     }
     margin[0] = margin_0;
     factor[0] = TB_C(0.0);
@@ -375,12 +367,18 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     return t29 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force_eq17(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force_eq17(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -519,13 +517,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t100 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t101 = !(t100 < t36 && t100 < t37);
     const bool t102 = !t26;
-    if (t99) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t101) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t99 || t101) {
+        return tb_refuse_isotropic_force_eq17(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t102 ? TB_INFEASIBLE : TB_OK;

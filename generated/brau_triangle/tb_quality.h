@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -62,8 +63,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
  *  Error of force: double at most 0.0e+00 N; float at most 7.4e-04 N (worst found 1.8e-04 at
  *    pose (0.5004, 0.8653)).
  *  Cost, all branches: 24 add, 34 mul, 3 div, 3 sqrt, 5 compare, 4 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t wrench[2])
@@ -20,16 +21,22 @@ tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t w
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[3])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[3])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[3])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(4.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(120000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -68,17 +75,8 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], cons
     const real_t t30 = (t21 * t27 - t23 * t28 + t25 * t29) / t26;
     const real_t t31 = t27 * t27 + t28 * t28 + t29 * t29 - t26 * (t30 * t30);
     const bool t32 = !(t19 < t26 && t19 < t31);
-    if (t18) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t32) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t18 || t32) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;

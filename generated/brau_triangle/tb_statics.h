@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -30,8 +31,8 @@ tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t w
  *    wrench (-41.22, 28.73)); float at most 9.6e-05 N (worst found 2.4e-05 at pose (0.9541,
  *    0.8514), wrench (47.66, -41.52)).
  *  Cost, all branches: 25 add, 41 mul, 6 div, 3 sqrt, 5 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[3]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[3]);
 
 #ifdef __cplusplus
 }

@@ -1,20 +1,28 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
 
-tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_least_norm_tension(tb_status status, real_t tension[3],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(120000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = TB_SQRT(t0 + structure[2] * structure[2]);
@@ -106,22 +114,10 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     const real_t t57 = tb_min(t30 * (TB_EPSILON * TB_C(2560.0)), TB_C(0.02));
     const bool t58 = !(kkt_residual_0 <= t57);
     if (t56) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     if (t58) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_least_norm_tension(TB_INACCURATE, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -132,8 +128,8 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     return TB_OK;
 }
 
-tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
@@ -338,8 +334,8 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
     return t23 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
@@ -475,19 +471,26 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
     return t23 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper(tb_status status, real_t tension[3],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(0.0);
+    tension[1] = TB_C(0.0);
+    tension[2] = TB_C(0.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(120000.0))) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = TB_SQRT(t0 + structure[2] * structure[2]);
@@ -601,13 +604,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     const bool t68 = !t60;
     const bool t69 = TB_C(20.0) < t53 || TB_C(20.0) < t54 || TB_C(20.0) < t55;
     if (t67) {
-        tension[0] = TB_C(0.0);
-        tension[1] = TB_C(0.0);
-        tension[2] = TB_C(0.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -618,8 +615,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     return (t68 || t69) ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     tb_status status = tb_least_norm_tension(structure, wrench, tension, delivered,
         kkt_residual);
@@ -660,8 +657,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     return tb_distribute_tension_closest(structure, wrench, tension, delivered, kkt_residual);
 }

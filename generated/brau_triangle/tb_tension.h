@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -32,8 +33,8 @@ extern "C" {
  *    (worst found 1.3e-05 at structure (-0.2747, 0.7849, 1, -1, -0.6196, 0.4372), wrench (10.6,
  *    -30.16)).
  *  Cost, all branches: 46 add, 56 mul, 8 div, 2 sqrt, 6 compare, 29 select. */
-tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
@@ -50,8 +51,8 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
  *    found 4.3e-04 at structure (-0.2766, 0.905, 0.4932, -0.8637, -0.4367, 0.8263), wrench
  *    (-10.9, -33.48)).
  *  Cost, all branches: 86 add, 86 mul, 6 div, 31 compare, 61 select. */
-tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** The wrench that is served: an infeasible one is replaced by the nearest feasible one
  *    (facets of the zonotope {S T}).
@@ -68,8 +69,8 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
  *    N (worst found 8.6e-06 at structure (-0.5477, 0.3278, -0.9938, -0.7989, -0.9428, 0.1075),
  *    wrench (-23.15, -34.31)).
  *  Cost, all branches: 62 add, 62 mul, 3 div, 24 compare, 31 select. */
-tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -93,8 +94,8 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
  *    (worst found 2.0e-02 at structure (-0.5013, 0.8658, 0.4987, -0.8623, -0.5008, 0.8581),
  *    wrench (-28.3, 13.98)).
  *  Cost, all branches: 51 add, 64 mul, 8 div, 2 sqrt, 9 compare, 40 select. */
-tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
  *    scaled down to the largest feasible fraction  (Yoon eq. 12).
@@ -119,8 +120,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
  *    4.8e-05 N (worst found 1.2e-05 at structure (-0.5727, 0.8773, 0.628, -0.9095, -0.7773,
  *    0.9068), wrench (12.59, -40)).
  *  Cost, all branches: 224 add, 254 mul, 30 div, 6 sqrt, 49 compare, 148 select. */
-tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench is replaced by the nearest
  *    feasible one  (Yoon eq. 12).
@@ -149,8 +150,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
     real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
-tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

@@ -1,10 +1,27 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_kernel_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[6], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    side[5] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
-static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_t wrench[3], real_t
-    pivot[1], real_t side[6], real_t moving[1], real_t push[1])
+static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_t wrench[3],
+    real_t pivot[1], real_t side[6], real_t moving[1], real_t push[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -14,16 +31,7 @@ static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_
               TB_ABS(structure[15]) + TB_ABS(structure[16]) + TB_ABS(structure[17]) <=
               TB_C(72.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(180000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_kernel_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -71,16 +79,7 @@ static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_
     const real_t t40 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t41 = !(t40 < t5 && t40 < t19 && t40 < t39);
     if (t41) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_kernel_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -95,8 +94,8 @@ static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t wrench[3], real_t
-    side[6], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t wrench[3],
+    real_t side[6], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -431,8 +430,8 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_kernel_tension_finish(const real_t structure[18], const real_t wrench[3], const
-    real_t pivot[1], const real_t side[6], real_t tension[6])
+static tb_status tb_kernel_tension_finish(const real_t structure[18], const real_t wrench[3],
+    const real_t pivot[1], const real_t side[6], real_t tension[6])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
         TB_C(3.0) : TB_C(0.0));
@@ -617,8 +616,8 @@ static tb_status tb_kernel_tension_finish(const real_t structure[18], const real
     return t151 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_kernel_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6])
+tb_status tb_kernel_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6])
 {
     real_t pivot[1];
     real_t side[6];
@@ -773,8 +772,8 @@ static tb_status tb_reduced_matrix_tension_visit(const real_t chosen[9], const r
 }
 
 /* After the last subset. */
-static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const real_t best[3], const
-    real_t cables[3], real_t tension[6])
+static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const real_t best[3],
+    const real_t cables[3], real_t tension[6])
 {
     const real_t t0 = tb_max(best[0], TB_C(0.0));
     const real_t t1 = tb_max(best[1], TB_C(0.0));
@@ -807,8 +806,8 @@ static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const r
     return t9 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6])
+tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6])
 {
     static const unsigned char subsets[20][3] = {{0,1,2}, {0,1,3}, {0,1,4}, {0,1,5}, {0,2,3},
         {0,2,4}, {0,2,5}, {0,3,4}, {0,3,5}, {0,4,5}, {1,2,3}, {1,2,4}, {1,2,5}, {1,3,4},
@@ -844,6 +843,39 @@ tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wre
     return tb_reduced_matrix_tension_finish(least, best, cables, tension);
 }
 
+/* Refuses with a status: weighed is 0; most is 0; least is 0; size is 0 N. */
+static tb_status tb_refuse_largest_tensions_eq12_begin(tb_status status, real_t weighed[18],
+    real_t most[6], real_t least[1], real_t size[1])
+{
+    weighed[0] = TB_C(0.0);
+    weighed[1] = TB_C(0.0);
+    weighed[2] = TB_C(0.0);
+    weighed[3] = TB_C(0.0);
+    weighed[4] = TB_C(0.0);
+    weighed[5] = TB_C(0.0);
+    weighed[6] = TB_C(0.0);
+    weighed[7] = TB_C(0.0);
+    weighed[8] = TB_C(0.0);
+    weighed[9] = TB_C(0.0);
+    weighed[10] = TB_C(0.0);
+    weighed[11] = TB_C(0.0);
+    weighed[12] = TB_C(0.0);
+    weighed[13] = TB_C(0.0);
+    weighed[14] = TB_C(0.0);
+    weighed[15] = TB_C(0.0);
+    weighed[16] = TB_C(0.0);
+    weighed[17] = TB_C(0.0);
+    most[0] = TB_C(0.0);
+    most[1] = TB_C(0.0);
+    most[2] = TB_C(0.0);
+    most[3] = TB_C(0.0);
+    most[4] = TB_C(0.0);
+    most[5] = TB_C(0.0);
+    least[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
 static tb_status tb_largest_tensions_eq12_begin(const real_t structure[18], const real_t force[1],
     real_t weighed[18], real_t most[6], real_t least[1], real_t size[1])
@@ -856,33 +888,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[18], cons
               TB_ABS(structure[15]) + TB_ABS(structure[16]) + TB_ABS(structure[17]) <=
               TB_C(72.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        most[4] = TB_C(0.0);
-        most[5] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, weighed, most, least, size);
     }
     const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
     const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
@@ -928,33 +934,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[18], cons
     const bool t33 = t0 < TB_ABS(t5) && t0 < TB_ABS(t18) && t0 < TB_ABS(TB_COPYSIGN(t32, t28));
     const bool t34 = !t33;
     if (t34) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        most[4] = TB_C(0.0);
-        most[5] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tensions_eq12_begin(TB_SINGULAR, weighed, most, least, size);
     }
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -986,8 +966,8 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[18], cons
 }
 
 /* One subset. */
-static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[6], const real_t numbers[2], const
-    real_t weighed[18], real_t most[6], real_t least[1])
+static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t weighed[18], real_t most[6], real_t least[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
@@ -1047,8 +1027,8 @@ static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[6], const re
 }
 
 /* After the last subset. */
-static tb_status tb_largest_tensions_eq12_finish(const real_t most[6], const real_t least[1], const
-    real_t size[1], real_t tension[6])
+static tb_status tb_largest_tensions_eq12_finish(const real_t most[6], const real_t least[1],
+    const real_t size[1], real_t tension[6])
 {
     const real_t tension_0 = size[0] * most[0];
     const real_t tension_1 = size[0] * most[1];
@@ -1076,8 +1056,8 @@ static tb_status tb_largest_tensions_eq12_finish(const real_t most[6], const rea
     return TB_OK;
 }
 
-tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t force[1], real_t
-    tension[6])
+tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t force[1],
+    real_t tension[6])
 {
     static const unsigned char subsets[15][2] = {{0,1}, {0,2}, {0,3}, {0,4}, {0,5}, {1,2},
         {1,3}, {1,4}, {1,5}, {2,3}, {2,4}, {2,5}, {3,4}, {3,5}, {4,5}};
@@ -1111,9 +1091,36 @@ tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t forc
     return tb_largest_tensions_eq12_finish(most, least, size, tension);
 }
 
+/* Refuses with a status: weighed is 0; most is 0 N; size is 0 N. */
+static tb_status tb_refuse_largest_tension_begin(tb_status status, real_t weighed[18],
+    real_t most[1], real_t size[1])
+{
+    weighed[0] = TB_C(0.0);
+    weighed[1] = TB_C(0.0);
+    weighed[2] = TB_C(0.0);
+    weighed[3] = TB_C(0.0);
+    weighed[4] = TB_C(0.0);
+    weighed[5] = TB_C(0.0);
+    weighed[6] = TB_C(0.0);
+    weighed[7] = TB_C(0.0);
+    weighed[8] = TB_C(0.0);
+    weighed[9] = TB_C(0.0);
+    weighed[10] = TB_C(0.0);
+    weighed[11] = TB_C(0.0);
+    weighed[12] = TB_C(0.0);
+    weighed[13] = TB_C(0.0);
+    weighed[14] = TB_C(0.0);
+    weighed[15] = TB_C(0.0);
+    weighed[16] = TB_C(0.0);
+    weighed[17] = TB_C(0.0);
+    most[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_largest_tension_begin(const real_t structure[18], const real_t force[1], real_t
-    weighed[18], real_t most[1], real_t size[1])
+static tb_status tb_largest_tension_begin(const real_t structure[18], const real_t force[1],
+    real_t weighed[18], real_t most[1], real_t size[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -1123,27 +1130,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[18], const real
               TB_ABS(structure[15]) + TB_ABS(structure[16]) + TB_ABS(structure[17]) <=
               TB_C(72.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, weighed, most, size);
     }
     const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
     const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
@@ -1189,27 +1176,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[18], const real
     const bool t33 = t0 < TB_ABS(t5) && t0 < TB_ABS(t18) && t0 < TB_ABS(TB_COPYSIGN(t32, t28));
     const bool t34 = !t33;
     if (t34) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tension_begin(TB_SINGULAR, weighed, most, size);
     }
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -1235,8 +1202,8 @@ static tb_status tb_largest_tension_begin(const real_t structure[18], const real
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[6], const real_t numbers[2], const
-    real_t weighed[18], real_t most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t weighed[18], real_t most[1], const real_t size[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
@@ -1310,8 +1277,8 @@ static tb_status tb_largest_tension_finish(const real_t most[1], real_t tension[
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tension(const real_t structure[18], const real_t force[1], real_t
-    tension[1])
+tb_status tb_largest_tension(const real_t structure[18], const real_t force[1],
+    real_t tension[1])
 {
     static const unsigned char subsets[15][2] = {{0,1}, {0,2}, {0,3}, {0,4}, {0,5}, {1,2},
         {1,3}, {1,4}, {1,5}, {2,3}, {2,4}, {2,5}, {3,4}, {3,5}, {4,5}};

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -23,8 +24,8 @@ extern "C" {
  *  At most 30 steps.
  *  Cost, all branches and steps: 4846 add, 5585 mul, 399 div, 96 sqrt, 2152 compare, 6505
  *    select. */
-tb_status tb_kernel_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6]);
+tb_status tb_kernel_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6]);
 
 /** Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of
  *    T_min and above the one of lowest sum; T_max is not looked at  (Brau eqs 6, 7).
@@ -36,8 +37,8 @@ tb_status tb_kernel_tension(const real_t structure[18], const real_t wrench[3], 
  *  Error of tension: double at most 1.5e+02 N; float at most 1.5e+02 N.
  *  Visits 20 subsets of the cables.
  *  Cost, all branches and steps: 476 add, 730 mul, 20 div, 59 compare, 261 select. */
-tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6]);
+tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6]);
 
 /** Upper bound of every tension over all directions of a force without a moment and all sets of
  *    d cables, T_min = 0: tight for d + 1 cables all around, else far too high  (Brau eq. 12
@@ -50,8 +51,8 @@ tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wre
  *  Error of tension: double at most 1.4e-03 N; float at most 2.4e+01 N.
  *  Visits 15 subsets of the cables.
  *  Cost, all branches and steps: 419 add, 695 mul, 122 div, 33 sqrt, 199 compare, 392 select. */
-tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t force[1], real_t
-    tension[6]);
+tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t force[1],
+    real_t tension[6]);
 
 /** Least T_max with which every force of a size without a moment is feasible; exact for any
  *    number of cables  (facets of {S T}, in place of Brau eq. 20).
@@ -63,8 +64,8 @@ tb_status tb_largest_tensions_eq12(const real_t structure[18], const real_t forc
  *  Error of tension: double at most 9.3e-05 N; float at most 3.9e+04 N.
  *  Visits 15 subsets of the cables.
  *  Cost, all branches and steps: 629 add, 778 mul, 62 div, 33 sqrt, 259 compare, 197 select. */
-tb_status tb_largest_tension(const real_t structure[18], const real_t force[1], real_t
-    tension[1]);
+tb_status tb_largest_tension(const real_t structure[18], const real_t force[1],
+    real_t tension[1]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[6], real_t torque[6])
@@ -46,8 +47,20 @@ tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[18], const real_t tension[6], const real_t
-    hand_force[3], real_t load[6])
+/* Refuses with a status: load is 3 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[6])
+{
+    load[0] = TB_C(3.0);
+    load[1] = TB_C(3.0);
+    load[2] = TB_C(3.0);
+    load[3] = TB_C(3.0);
+    load[4] = TB_C(3.0);
+    load[5] = TB_C(3.0);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[18], const real_t tension[6],
+    const real_t hand_force[3], real_t load[6])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -60,13 +73,7 @@ tb_status tb_load_tension(const real_t structure[18], const real_t tension[6], c
               + TB_ABS(tension[4]) + TB_ABS(tension[5]) <= TB_C(60000.0)
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) + TB_ABS(hand_force[2]) <=
               TB_C(180000.0))) {
-        load[0] = TB_C(3.0);
-        load[1] = TB_C(3.0);
-        load[2] = TB_C(3.0);
-        load[3] = TB_C(3.0);
-        load[4] = TB_C(3.0);
-        load[5] = TB_C(3.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[6] * structure[0] + structure[7] * structure[1];
     const real_t t1 = t0 + structure[8] * structure[2] + structure[9] * structure[3];
@@ -125,13 +132,7 @@ tb_status tb_load_tension(const real_t structure[18], const real_t tension[6], c
     const real_t t48 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t49 = !(t48 < t5 && t48 < t19 && t48 < t38);
     if (t49) {
-        load[0] = TB_C(3.0);
-        load[1] = TB_C(3.0);
-        load[2] = TB_C(3.0);
-        load[3] = TB_C(3.0);
-        load[4] = TB_C(3.0);
-        load[5] = TB_C(3.0);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;
@@ -204,8 +205,8 @@ tb_status tb_base_targets(const real_t pose[3], real_t target[6])
     return TB_OK;
 }
 
-tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t
-    measured[6], real_t next_memory[18], real_t force[6])
+tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t measured[6],
+    real_t next_memory[18], real_t force[6])
 {
     const real_t t0 = target[0] - measured[0];
     const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];

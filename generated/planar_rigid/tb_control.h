@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -39,8 +40,8 @@ tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t f
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
  *  Error of load: double at most 1.7e-10 N; float at most 4.3e-02 N.
  *  Cost, all branches: 76 add, 99 mul, 3 div, 3 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[18], const real_t tension[6], const real_t
-    hand_force[3], real_t load[6]);
+tb_status tb_load_tension(const real_t structure[18], const real_t tension[6],
+    const real_t hand_force[3], real_t load[6]);
 
 /** Rail coordinates of the orthogonal configuration: the foot of the anchor on each rail  (Yoon
  *    section III-B).
@@ -60,8 +61,8 @@ tb_status tb_base_targets(const real_t pose[3], real_t target[6]);
  *  Error of next_memory: double at most 3.0e-13 N, m, m/s; float at most 1.7e-04 N, m, m/s.
  *  Error of force: double at most 1.8e-12 N; float at most 1.1e-03 N.
  *  Cost, all branches: 42 add, 30 mul, 30 compare, 18 select. */
-tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t
-    measured[6], real_t next_memory[18], real_t force[6]);
+tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t measured[6],
+    real_t next_memory[18], real_t force[6]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[6], real_t points[12])
@@ -132,6 +133,18 @@ tb_status tb_cable_vectors(const real_t pose[3], const real_t rails[6], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[6])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    length[3] = TB_C(0.0);
+    length[4] = TB_C(0.0);
+    length[5] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[6], real_t length[6])
 {
     if (!(pose[0] >= -TB_C(1.4236) && pose[0] <= TB_C(1.4236)
@@ -139,13 +152,7 @@ tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[6], real_t l
           && pose[2] >= -TB_C(1.2853981633974483) && pose[2] <= TB_C(1.2853981633974483)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        length[4] = TB_C(0.0);
-        length[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -219,13 +226,7 @@ tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[6], real_t l
     const bool t41 = t40 && TB_C(0.0001) < length_4 && TB_C(0.0001) < length_5;
     const bool t42 = !t41;
     if (t42) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        length[4] = TB_C(0.0);
-        length[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -236,6 +237,30 @@ tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[6], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0 1, m. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[18])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    structure[10] = TB_C(0.0);
+    structure[11] = TB_C(0.0);
+    structure[12] = TB_C(0.0);
+    structure[13] = TB_C(0.0);
+    structure[14] = TB_C(0.0);
+    structure[15] = TB_C(0.0);
+    structure[16] = TB_C(0.0);
+    structure[17] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[6], real_t structure[18])
 {
     if (!(pose[0] >= -TB_C(1.4236) && pose[0] <= TB_C(1.4236)
@@ -243,25 +268,7 @@ tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[6], real_
           && pose[2] >= -TB_C(1.2853981633974483) && pose[2] <= TB_C(1.2853981633974483)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        structure[12] = TB_C(0.0);
-        structure[13] = TB_C(0.0);
-        structure[14] = TB_C(0.0);
-        structure[15] = TB_C(0.0);
-        structure[16] = TB_C(0.0);
-        structure[17] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -363,25 +370,7 @@ tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[6], real_
     const bool t50 = t49 && TB_C(0.0001) < length_4 && TB_C(0.0001) < length_5;
     const bool t51 = !t50;
     if (t51) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        structure[12] = TB_C(0.0);
-        structure[13] = TB_C(0.0);
-        structure[14] = TB_C(0.0);
-        structure[15] = TB_C(0.0);
-        structure[16] = TB_C(0.0);
-        structure[17] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -404,6 +393,30 @@ tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[6], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0 1, m. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[18])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = TB_C(0.0);
+    jacobian[11] = TB_C(0.0);
+    jacobian[12] = TB_C(0.0);
+    jacobian[13] = TB_C(0.0);
+    jacobian[14] = TB_C(0.0);
+    jacobian[15] = TB_C(0.0);
+    jacobian[16] = TB_C(0.0);
+    jacobian[17] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[6], real_t jacobian[18])
 {
     if (!(pose[0] >= -TB_C(1.4236) && pose[0] <= TB_C(1.4236)
@@ -411,25 +424,7 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[6], real_t
           && pose[2] >= -TB_C(1.2853981633974483) && pose[2] <= TB_C(1.2853981633974483)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -534,25 +529,7 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[6], real_t
     const bool t53 = t52 && TB_C(0.0001) < length_4 && TB_C(0.0001) < length_5;
     const bool t54 = !t53;
     if (t54) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -575,8 +552,17 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[6], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6], const real_t
-    length_rates[6], const real_t rail_rates[6], real_t velocity[3])
+/* Refuses with a status: velocity is 0 m/s, rad/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[3])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    velocity[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6],
+    const real_t length_rates[6], const real_t rail_rates[6], real_t velocity[3])
 {
     if (!(pose[0] >= -TB_C(1.4236) && pose[0] <= TB_C(1.4236)
           && pose[1] >= -TB_C(1.4236) && pose[1] <= TB_C(1.4236)
@@ -589,10 +575,7 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6], const re
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
               TB_ABS(rail_rates[3]) + TB_ABS(rail_rates[4]) + TB_ABS(rail_rates[5]) <=
               TB_C(600.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -721,22 +704,55 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6], const re
     const bool t92 = !t91;
     const real_t t93 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t94 = !(t93 < t62 && t93 < t73 && t93 < t87);
-    if (t92) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t94) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t92 || t94) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     velocity[2] = velocity_2;
     return TB_OK;
+}
+
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_rail_jacobian(tb_status status, real_t jacobian[36])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = TB_C(0.0);
+    jacobian[11] = TB_C(0.0);
+    jacobian[12] = TB_C(0.0);
+    jacobian[13] = TB_C(0.0);
+    jacobian[14] = TB_C(0.0);
+    jacobian[15] = TB_C(0.0);
+    jacobian[16] = TB_C(0.0);
+    jacobian[17] = TB_C(0.0);
+    jacobian[18] = TB_C(0.0);
+    jacobian[19] = TB_C(0.0);
+    jacobian[20] = TB_C(0.0);
+    jacobian[21] = TB_C(0.0);
+    jacobian[22] = TB_C(0.0);
+    jacobian[23] = TB_C(0.0);
+    jacobian[24] = TB_C(0.0);
+    jacobian[25] = TB_C(0.0);
+    jacobian[26] = TB_C(0.0);
+    jacobian[27] = TB_C(0.0);
+    jacobian[28] = TB_C(0.0);
+    jacobian[29] = TB_C(0.0);
+    jacobian[30] = TB_C(0.0);
+    jacobian[31] = TB_C(0.0);
+    jacobian[32] = TB_C(0.0);
+    jacobian[33] = TB_C(0.0);
+    jacobian[34] = TB_C(0.0);
+    jacobian[35] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_rail_jacobian(const real_t pose[3], const real_t rails[6], real_t jacobian[36])
@@ -746,43 +762,7 @@ tb_status tb_rail_jacobian(const real_t pose[3], const real_t rails[6], real_t j
           && pose[2] >= -TB_C(1.2853981633974483) && pose[2] <= TB_C(1.2853981633974483)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        jacobian[18] = TB_C(0.0);
-        jacobian[19] = TB_C(0.0);
-        jacobian[20] = TB_C(0.0);
-        jacobian[21] = TB_C(0.0);
-        jacobian[22] = TB_C(0.0);
-        jacobian[23] = TB_C(0.0);
-        jacobian[24] = TB_C(0.0);
-        jacobian[25] = TB_C(0.0);
-        jacobian[26] = TB_C(0.0);
-        jacobian[27] = TB_C(0.0);
-        jacobian[28] = TB_C(0.0);
-        jacobian[29] = TB_C(0.0);
-        jacobian[30] = TB_C(0.0);
-        jacobian[31] = TB_C(0.0);
-        jacobian[32] = TB_C(0.0);
-        jacobian[33] = TB_C(0.0);
-        jacobian[34] = TB_C(0.0);
-        jacobian[35] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -863,43 +843,7 @@ tb_status tb_rail_jacobian(const real_t pose[3], const real_t rails[6], real_t j
     const bool t41 = t40 && TB_C(0.0001) < length_4 && TB_C(0.0001) < length_5;
     const bool t42 = !t41;
     if (t42) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        jacobian[18] = TB_C(0.0);
-        jacobian[19] = TB_C(0.0);
-        jacobian[20] = TB_C(0.0);
-        jacobian[21] = TB_C(0.0);
-        jacobian[22] = TB_C(0.0);
-        jacobian[23] = TB_C(0.0);
-        jacobian[24] = TB_C(0.0);
-        jacobian[25] = TB_C(0.0);
-        jacobian[26] = TB_C(0.0);
-        jacobian[27] = TB_C(0.0);
-        jacobian[28] = TB_C(0.0);
-        jacobian[29] = TB_C(0.0);
-        jacobian[30] = TB_C(0.0);
-        jacobian[31] = TB_C(0.0);
-        jacobian[32] = TB_C(0.0);
-        jacobian[33] = TB_C(0.0);
-        jacobian[34] = TB_C(0.0);
-        jacobian[35] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = TB_C(0.0);
@@ -941,8 +885,8 @@ tb_status tb_rail_jacobian(const real_t pose[3], const real_t rails[6], real_t j
 }
 
 /* The guess is the first estimate. */
-static tb_status tb_forward_kinematics_begin(const real_t guess[3], const real_t lengths[6], const
-    real_t rails[6], real_t estimate[3])
+static tb_status tb_forward_kinematics_begin(const real_t guess[3], const real_t lengths[6],
+    const real_t rails[6], real_t estimate[3])
 {
     if (!(guess[0] >= -TB_C(1.4236) && guess[0] <= TB_C(1.4236)
           && guess[1] >= -TB_C(1.4236) && guess[1] <= TB_C(1.4236)
@@ -967,8 +911,8 @@ static tb_status tb_forward_kinematics_begin(const real_t guess[3], const real_t
 }
 
 /* Gauss-Newton step on the misfit of the lengths. */
-static tb_status tb_forward_kinematics_step(const real_t lengths[6], const real_t rails[6], real_t
-    estimate[3], real_t found[1])
+static tb_status tb_forward_kinematics_step(const real_t lengths[6], const real_t rails[6],
+    real_t estimate[3], real_t found[1])
 {
     const real_t t0 = estimate[2] * estimate[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -1110,14 +1054,7 @@ static tb_status tb_forward_kinematics_step(const real_t lengths[6], const real_
     const bool t120 = !t119;
     const real_t t121 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t122 = !(t121 < t78 && t121 < t92 && t121 < t107);
-    if (t120) {
-        estimate[0] = TB_C(0.0);
-        estimate[1] = TB_C(0.0);
-        estimate[2] = TB_C(0.0);
-        found[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t122) {
+    if (t120 || t122) {
         estimate[0] = TB_C(0.0);
         estimate[1] = TB_C(0.0);
         estimate[2] = TB_C(0.0);
@@ -1132,8 +1069,8 @@ static tb_status tb_forward_kinematics_step(const real_t lengths[6], const real_
 }
 
 /* Pose and residual of the last estimate. */
-static tb_status tb_forward_kinematics_finish(const real_t lengths[6], const real_t rails[6], const
-    real_t estimate[3], real_t pose[3], real_t residual[1])
+static tb_status tb_forward_kinematics_finish(const real_t lengths[6], const real_t rails[6],
+    const real_t estimate[3], real_t pose[3], real_t residual[1])
 {
     const real_t t0 = estimate[2] * estimate[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -1253,14 +1190,7 @@ static tb_status tb_forward_kinematics_finish(const real_t lengths[6], const rea
     const real_t t98 = (t97 + t83 * t94 - t76 * (t86 * t96)) / t87;
     const real_t t99 = t93 + t94 * t94 - t76 * (t96 * t96) - t87 * (t98 * t98);
     const bool t100 = !(t62 < t76 && t62 < t87 && t62 < t99);
-    if (t61) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t100) {
+    if (t61 || t100) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
@@ -1274,8 +1204,8 @@ static tb_status tb_forward_kinematics_finish(const real_t lengths[6], const rea
     return TB_OK;
 }
 
-tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6], const real_t
-    rails[6], real_t pose[3], real_t residual[1])
+tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6],
+    const real_t rails[6], real_t pose[3], real_t residual[1])
 {
     real_t estimate[3];
     real_t found[1] = {TB_C(0.0)};
@@ -1297,8 +1227,8 @@ tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6], 
 }
 
 /* The guess is the first estimate. */
-static tb_status tb_locate_begin(const real_t guess[3], const real_t lengths[6], const real_t
-    rails[6], const real_t length_rates[6], const real_t rail_rates[6], real_t estimate[3])
+static tb_status tb_locate_begin(const real_t guess[3], const real_t lengths[6], const real_t rails[6],
+    const real_t length_rates[6], const real_t rail_rates[6], real_t estimate[3])
 {
     if (!(guess[0] >= -TB_C(1.4236) && guess[0] <= TB_C(1.4236)
           && guess[1] >= -TB_C(1.4236) && guess[1] <= TB_C(1.4236)
@@ -1472,14 +1402,7 @@ static tb_status tb_locate_step(const real_t lengths[6], const real_t rails[6], 
     const bool t120 = !t119;
     const real_t t121 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t122 = !(t121 < t78 && t121 < t92 && t121 < t107);
-    if (t120) {
-        estimate[0] = TB_C(0.0);
-        estimate[1] = TB_C(0.0);
-        estimate[2] = TB_C(0.0);
-        found[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t122) {
+    if (t120 || t122) {
         estimate[0] = TB_C(0.0);
         estimate[1] = TB_C(0.0);
         estimate[2] = TB_C(0.0);
@@ -1494,9 +1417,9 @@ static tb_status tb_locate_step(const real_t lengths[6], const real_t rails[6], 
 }
 
 /* Everything at the last estimate. */
-static tb_status tb_locate_finish(const real_t lengths[6], const real_t rails[6], const real_t
-    length_rates[6], const real_t rail_rates[6], const real_t estimate[3], real_t pose[3],
-    real_t residual[1], real_t structure[18], real_t velocity[3])
+static tb_status tb_locate_finish(const real_t lengths[6], const real_t rails[6],
+    const real_t length_rates[6], const real_t rail_rates[6], const real_t estimate[3],
+    real_t pose[3], real_t residual[1], real_t structure[18], real_t velocity[3])
 {
     const real_t t0 = estimate[2] * estimate[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -1648,35 +1571,7 @@ static tb_status tb_locate_finish(const real_t lengths[6], const real_t rails[6]
     const bool t109 = !t108;
     const real_t t110 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t111 = !(t110 < t80 && t110 < t89 && t110 < t105);
-    if (t109) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        structure[12] = TB_C(0.0);
-        structure[13] = TB_C(0.0);
-        structure[14] = TB_C(0.0);
-        structure[15] = TB_C(0.0);
-        structure[16] = TB_C(0.0);
-        structure[17] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t111) {
+    if (t109 || t111) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
@@ -1733,8 +1628,8 @@ static tb_status tb_locate_finish(const real_t lengths[6], const real_t rails[6]
 }
 
 tb_status tb_locate(const real_t guess[3], const real_t lengths[6], const real_t rails[6],
-    const real_t length_rates[6], const real_t rail_rates[6], real_t pose[3], real_t
-    residual[1], real_t structure[18], real_t velocity[3])
+    const real_t length_rates[6], const real_t rail_rates[6], real_t pose[3],
+    real_t residual[1], real_t structure[18], real_t velocity[3])
 {
     real_t estimate[3];
     real_t found[1] = {TB_C(0.0)};

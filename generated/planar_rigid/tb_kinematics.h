@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -72,8 +73,8 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[6], real_t
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
  *  Error of velocity: double at most 3.7e-10 m/s, rad/s; float at most 1.0e-01 m/s, rad/s.
  *  Cost, all branches: 131 add, 170 mul, 9 div, 6 sqrt, 9 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6], const real_t
-    length_rates[6], const real_t rail_rates[6], real_t velocity[3]);
+tb_status tb_task_velocity(const real_t pose[3], const real_t rails[6],
+    const real_t length_rates[6], const real_t rail_rates[6], real_t velocity[3]);
 
 /** Rail Jacobian dl/ds  (Yoon eq. 3, 20).
  *  pose [m, rad] (3), rails [m] (6)  ->  jacobian [-] (6 x 6)
@@ -101,8 +102,8 @@ tb_status tb_rail_jacobian(const real_t pose[3], const real_t rails[6], real_t j
  *  At most 16 steps.
  *  Cost, all branches and steps: 2386 add, 3070 mul, 184 div, 119 sqrt, 169 compare, 177
  *    select. */
-tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6], const real_t
-    rails[6], real_t pose[3], real_t residual[1]);
+tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6],
+    const real_t rails[6], real_t pose[3], real_t residual[1]);
 
 /** Pose, residual, structure matrix and velocity at once: forward_kinematics, structure_matrix
  *    and task_velocity without their common work  (Yoon eq. 19, 21, 20 with normalised rows).
@@ -126,8 +127,8 @@ tb_status tb_forward_kinematics(const real_t guess[3], const real_t lengths[6], 
  *  Cost, all branches and steps: 2419 add, 3104 mul, 185 div, 119 sqrt, 169 compare, 177
  *    select. */
 tb_status tb_locate(const real_t guess[3], const real_t lengths[6], const real_t rails[6],
-    const real_t length_rates[6], const real_t rail_rates[6], real_t pose[3], real_t
-    residual[1], real_t structure[18], real_t velocity[3]);
+    const real_t length_rates[6], const real_t rail_rates[6], real_t pose[3],
+    real_t residual[1], real_t structure[18], real_t velocity[3]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[18], const real_t tension[6], real_t wrench[3])
@@ -33,8 +34,20 @@ tb_status tb_wrench(const real_t structure[18], const real_t tension[6], real_t 
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6], const real_t
-    wrench[3], real_t share[6])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[6])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    share[3] = TB_C(0.0);
+    share[4] = TB_C(0.0);
+    share[5] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6],
+    const real_t wrench[3], real_t share[6])
 {
     if (!(pose[0] >= -TB_C(1.4236) && pose[0] <= TB_C(1.4236)
           && pose[1] >= -TB_C(1.4236) && pose[1] <= TB_C(1.4236)
@@ -42,13 +55,7 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6], cons
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(180000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        share[4] = TB_C(0.0);
-        share[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -199,23 +206,8 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6], cons
     const real_t t131 = (t130 + t103 * t105 - t121 * (t125 * t129)) / t126;
     const real_t t132 = t127 + t105 * t105 - t121 * (t129 * t129) - t126 * (t131 * t131);
     const bool t133 = !(t119 < t121 && t119 < t126 && t119 < t132);
-    if (t118) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        share[4] = TB_C(0.0);
-        share[5] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t133) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        share[4] = TB_C(0.0);
-        share[5] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t118 || t133) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;
@@ -224,6 +216,18 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6], cons
     share[4] = share_4;
     share[5] = share_5;
     return TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_rail_forces(tb_status status, real_t force[6])
+{
+    force[0] = TB_C(0.0);
+    force[1] = TB_C(0.0);
+    force[2] = TB_C(0.0);
+    force[3] = TB_C(0.0);
+    force[4] = TB_C(0.0);
+    force[5] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_rail_forces(const real_t pose[3], const real_t rails[6], const real_t tension[6],
@@ -236,13 +240,7 @@ tb_status tb_rail_forces(const real_t pose[3], const real_t rails[6], const real
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
               + TB_ABS(tension[4]) + TB_ABS(tension[5]) <= TB_C(60000.0))) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        force[4] = TB_C(0.0);
-        force[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_forces(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[2] * pose[2] * TB_C(0.25);
     const real_t t1 = -TB_C(2.4795962632247972e-27) + t0 * TB_C(3.279889237069838e-30);
@@ -308,13 +306,7 @@ tb_status tb_rail_forces(const real_t pose[3], const real_t rails[6], const real
     const bool t46 = t45 && TB_C(0.0001) < t38 && TB_C(0.0001) < t41 && TB_C(0.0001) < t44;
     const bool t47 = !t46;
     if (t47) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        force[4] = TB_C(0.0);
-        force[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_forces(TB_SINGULAR, force);
     }
     force[0] = force_0;
     force[1] = force_1;

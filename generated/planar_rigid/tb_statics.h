@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -30,8 +31,8 @@ tb_status tb_wrench(const real_t structure[18], const real_t tension[6], real_t 
  *  TB_SINGULAR: the cables pull in fewer than 3 directions.
  *  Error of share: double at most 1.0e-09 N; float at most 9.8e-02 N.
  *  Cost, all branches: 155 add, 210 mul, 11 div, 6 sqrt, 9 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6], const real_t
-    wrench[3], real_t share[6]);
+tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6],
+    const real_t wrench[3], real_t share[6]);
 
 /** Force of the cable on its base along the rail, -T_i lhat_i . e_i; the drive must hold it
  *    (Yoon eq. 8, the joint-space force of virtual work).

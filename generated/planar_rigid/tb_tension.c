@@ -1,6 +1,23 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[6], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    side[5] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
 
 /* All cables are free. */
 static tb_status tb_least_norm_tension_begin(const real_t structure[18], const real_t wrench[3],
@@ -14,16 +31,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[18], const r
               TB_ABS(structure[15]) + TB_ABS(structure[16]) + TB_ABS(structure[17]) <=
               TB_C(72.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(180000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -71,16 +79,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[18], const r
     const real_t t40 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t41 = !(t40 < t5 && t40 < t19 && t40 < t39);
     if (t41) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -95,8 +94,8 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[18], const r
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_least_norm_tension_step(const real_t structure[18], const real_t wrench[3], real_t
-    side[6], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_least_norm_tension_step(const real_t structure[18], const real_t wrench[3],
+    real_t side[6], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -429,8 +428,8 @@ static tb_status tb_least_norm_tension_step(const real_t structure[18], const re
 
 /* The tensions, refined and judged. */
 static tb_status tb_least_norm_tension_finish(const real_t structure[18], const real_t wrench[3],
-    const real_t pivot[1], const real_t side[6], real_t tension[6], real_t delivered[3], real_t
-    kkt_residual[1])
+    const real_t pivot[1], const real_t side[6], real_t tension[6], real_t delivered[3],
+    real_t kkt_residual[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = TB_C(0.0) < side[0] ? TB_C(10.0) : (side[0] < TB_C(0.0) ? TB_C(3.0) :
@@ -628,8 +627,8 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     return TB_OK;
 }
 
-tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6], real_t delivered[3], real_t kkt_residual[1])
+tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6], real_t delivered[3], real_t kkt_residual[1])
 {
     real_t pivot[1];
     real_t side[6];
@@ -661,6 +660,22 @@ tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[
         kkt_residual);
 }
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper_begin(tb_status status, real_t pivot[1],
+    real_t side[6], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    side[5] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
 static tb_status tb_distribute_tension_paper_begin(const real_t structure[18], const real_t wrench[3],
     real_t pivot[1], real_t side[6], real_t moving[1], real_t push[1])
@@ -673,16 +688,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[18], c
               TB_ABS(structure[15]) + TB_ABS(structure[16]) + TB_ABS(structure[17]) <=
               TB_C(72.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(180000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -730,16 +736,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[18], c
     const real_t t40 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t41 = !(t40 < t5 && t40 < t19 && t40 < t39);
     if (t41) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -1090,9 +1087,9 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], const real_t
-    wrench[3], const real_t pivot[1], const real_t side[6], real_t tension[6], real_t
-    delivered[3], real_t kkt_residual[1])
+static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], const real_t wrench[3],
+    const real_t pivot[1], const real_t side[6], real_t tension[6], real_t delivered[3],
+    real_t kkt_residual[1])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
         TB_C(3.0) : TB_C(0.0));
@@ -1833,8 +1830,8 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[18], con
     return t3 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wrench[3], real_t
-    served[3], real_t inner[3])
+tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wrench[3],
+    real_t served[3], real_t inner[3])
 {
     real_t points[12];
     real_t weight[4];
@@ -1862,10 +1859,43 @@ tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wren
     return tb_served_wrench_closest_finish(structure, wrench, offset, served, inner);
 }
 
+/* Refuses with a status: weighed is 0; asked is 0 N; inside is 0; largest is 0; first is 0;
+ *   last is 0. */
+static tb_status tb_refuse_wrench_ray_begin(tb_status status, real_t weighed[18],
+    real_t asked[3], real_t inside[1], real_t largest[1], real_t first[1], real_t last[1])
+{
+    weighed[0] = TB_C(0.0);
+    weighed[1] = TB_C(0.0);
+    weighed[2] = TB_C(0.0);
+    weighed[3] = TB_C(0.0);
+    weighed[4] = TB_C(0.0);
+    weighed[5] = TB_C(0.0);
+    weighed[6] = TB_C(0.0);
+    weighed[7] = TB_C(0.0);
+    weighed[8] = TB_C(0.0);
+    weighed[9] = TB_C(0.0);
+    weighed[10] = TB_C(0.0);
+    weighed[11] = TB_C(0.0);
+    weighed[12] = TB_C(0.0);
+    weighed[13] = TB_C(0.0);
+    weighed[14] = TB_C(0.0);
+    weighed[15] = TB_C(0.0);
+    weighed[16] = TB_C(0.0);
+    weighed[17] = TB_C(0.0);
+    asked[0] = TB_C(0.0);
+    asked[1] = TB_C(0.0);
+    asked[2] = TB_C(0.0);
+    inside[0] = TB_C(0.0);
+    largest[0] = TB_C(0.0);
+    first[0] = TB_C(0.0);
+    last[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_wrench_ray_begin(const real_t structure[18], const real_t wrench[3], real_t
-    weighed[18], real_t asked[3], real_t inside[1], real_t largest[1], real_t first[1], real_t
-    last[1])
+static tb_status tb_wrench_ray_begin(const real_t structure[18], const real_t wrench[3],
+    real_t weighed[18], real_t asked[3], real_t inside[1], real_t largest[1], real_t first[1],
+    real_t last[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -1875,32 +1905,7 @@ static tb_status tb_wrench_ray_begin(const real_t structure[18], const real_t wr
               TB_ABS(structure[15]) + TB_ABS(structure[16]) + TB_ABS(structure[17]) <=
               TB_C(72.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(180000.0))) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        asked[0] = TB_C(0.0);
-        asked[1] = TB_C(0.0);
-        asked[2] = TB_C(0.0);
-        inside[0] = TB_C(0.0);
-        largest[0] = TB_C(0.0);
-        first[0] = TB_C(0.0);
-        last[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_ray_begin(TB_OUT_OF_DOMAIN, weighed, asked, inside, largest, first, last);
     }
     const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
     const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
@@ -1947,32 +1952,7 @@ static tb_status tb_wrench_ray_begin(const real_t structure[18], const real_t wr
     const bool t33 = t0 < TB_ABS(t5) && t0 < TB_ABS(t18) && t0 < TB_ABS(TB_COPYSIGN(t32, t28));
     const bool t34 = !t33;
     if (t34) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        asked[0] = TB_C(0.0);
-        asked[1] = TB_C(0.0);
-        asked[2] = TB_C(0.0);
-        inside[0] = TB_C(0.0);
-        largest[0] = TB_C(0.0);
-        first[0] = TB_C(0.0);
-        last[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_wrench_ray_begin(TB_SINGULAR, weighed, asked, inside, largest, first, last);
     }
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -2003,9 +1983,9 @@ static tb_status tb_wrench_ray_begin(const real_t structure[18], const real_t wr
 }
 
 /* One subset. */
-static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t numbers[2], const real_t
-    weighed[18], const real_t asked[3], real_t inside[1], real_t largest[1], real_t first[1],
-    real_t last[1])
+static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t numbers[2],
+    const real_t weighed[18], const real_t asked[3], real_t inside[1], real_t largest[1],
+    real_t first[1], real_t last[1])
 {
     const real_t t0 = chosen[2] * chosen[5] - chosen[4] * chosen[3];
     const real_t t1 = chosen[4] * chosen[1] - chosen[5] * chosen[0];
@@ -2078,8 +2058,9 @@ static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t number
 }
 
 /* After the last subset. */
-static tb_status tb_wrench_ray_finish(const real_t inside[1], const real_t largest[1], const real_t
-    first[1], const real_t last[1], real_t feasible[1], real_t fraction[1], real_t missed[1])
+static tb_status tb_wrench_ray_finish(const real_t inside[1], const real_t largest[1],
+    const real_t first[1], const real_t last[1], real_t feasible[1], real_t fraction[1],
+    real_t missed[1])
 {
     const real_t fraction_0 = tb_max(largest[0], TB_C(0.0));
     const real_t missed_0 = inside[0] <= TB_C(0.0) && last[0] < first[0] ? TB_C(1.0) :
@@ -2128,9 +2109,9 @@ static tb_status tb_wrench_ray(const real_t structure[18], const real_t wrench[3
 
 /* The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *   largest feasible fraction. */
-static tb_status tb_served_fraction(const real_t structure[18], const real_t wrench[3], const real_t
-    feasible[1], const real_t fraction[1], const real_t missed[1], const real_t closest[3],
-    real_t served[3], real_t inner[3])
+static tb_status tb_served_fraction(const real_t structure[18], const real_t wrench[3],
+    const real_t feasible[1], const real_t fraction[1], const real_t missed[1],
+    const real_t closest[3], real_t served[3], real_t inner[3])
 {
     const bool t0 = TB_C(0.0) < feasible[0];
     const bool t1 = !t0;
@@ -2167,8 +2148,21 @@ static tb_status tb_served_fraction(const real_t structure[18], const real_t wre
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench[3], real_t
-    served[3], real_t inner[3])
+/* Refuses with a status: served is 0 N; inner is 0 N. */
+static tb_status tb_refuse_served_wrench_scale(tb_status status, real_t served[3],
+    real_t inner[3])
+{
+    served[0] = TB_C(0.0);
+    served[1] = TB_C(0.0);
+    served[2] = TB_C(0.0);
+    inner[0] = TB_C(0.0);
+    inner[1] = TB_C(0.0);
+    inner[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench[3],
+    real_t served[3], real_t inner[3])
 {
     real_t feasible[1];
     real_t fraction[1];
@@ -2179,24 +2173,12 @@ tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench
     tb_status status;
     status = tb_wrench_ray(structure, wrench, feasible, fraction, missed);
     if (status > TB_INFEASIBLE) {
-        served[0] = TB_C(0.0);
-        served[1] = TB_C(0.0);
-        served[2] = TB_C(0.0);
-        inner[0] = TB_C(0.0);
-        inner[1] = TB_C(0.0);
-        inner[2] = TB_C(0.0);
-        return status;
+        return tb_refuse_served_wrench_scale(status, served, inner);
     }
     if (missed[0] > TB_C(0.0)) {
         status = tb_served_wrench_closest(structure, wrench, closest, closer);
         if (status > TB_INFEASIBLE) {
-            served[0] = TB_C(0.0);
-            served[1] = TB_C(0.0);
-            served[2] = TB_C(0.0);
-            inner[0] = TB_C(0.0);
-            inner[1] = TB_C(0.0);
-            inner[2] = TB_C(0.0);
-            return status;
+            return tb_refuse_served_wrench_scale(status, served, inner);
         }
         infeasible = infeasible || status == TB_INFEASIBLE;
     }
@@ -2247,8 +2229,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[18], const real_t
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6], real_t delivered[3], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6], real_t delivered[3], real_t kkt_residual[1])
 {
     return tb_distribute_tension_scale(structure, wrench, tension, delivered, kkt_residual);
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -27,8 +28,8 @@ extern "C" {
  *  At most 30 steps.
  *  Cost, all branches and steps: 4758 add, 5559 mul, 399 div, 96 sqrt, 2152 compare, 6495
  *    select. */
-tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6], real_t delivered[3], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -62,8 +63,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[18], const real_t w
  *  At most 160 steps.
  *  Cost, all branches and steps: 33878 add, 32110 mul, 6734 compare, 37775 select, 1920 div,
  *    801 sqrt. */
-tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wrench[3], real_t
-    served[3], real_t inner[3]);
+tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wrench[3],
+    real_t served[3], real_t inner[3]);
 
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
@@ -80,8 +81,8 @@ tb_status tb_served_wrench_closest(const real_t structure[18], const real_t wren
  *  Visits 15 subsets of the cables.
  *  Cost, all branches and steps: 34594 add, 32917 mul, 1967 div, 819 sqrt, 6981 compare, 38069
  *    select. */
-tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench[3], real_t
-    served[3], real_t inner[3]);
+tb_status tb_served_wrench_scale(const real_t structure[18], const real_t wrench[3],
+    real_t served[3], real_t inner[3]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
  *    scaled down to the largest feasible fraction  (Yoon eq. 12).
@@ -129,8 +130,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[18], const real_t
     real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_scale. */
-tb_status tb_distribute_tension(const real_t structure[18], const real_t wrench[3], real_t
-    tension[6], real_t delivered[3], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[18], const real_t wrench[3],
+    real_t tension[6], real_t delivered[3], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

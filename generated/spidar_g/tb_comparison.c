@@ -1,10 +1,29 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_kernel_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[8], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    side[5] = TB_C(0.0);
+    side[6] = TB_C(0.0);
+    side[7] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
-static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_t wrench[6], real_t
-    pivot[1], real_t side[8], real_t moving[1], real_t push[1])
+static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_t wrench[6],
+    real_t pivot[1], real_t side[8], real_t moving[1], real_t push[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -25,18 +44,7 @@ static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_
               TB_C(192.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) + TB_ABS(wrench[3]) +
               TB_ABS(wrench[4]) + TB_ABS(wrench[5]) <= TB_C(384000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        side[6] = TB_C(0.0);
-        side[7] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_kernel_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -220,18 +228,7 @@ static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_
     const bool t176 = t175 < t6 && t175 < t23 && t175 < t49 && t175 < t87;
     const bool t177 = !(t176 && t175 < t130 && t175 < t174);
     if (t177) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        side[6] = TB_C(0.0);
-        side[7] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_kernel_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -248,8 +245,8 @@ static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t wrench[6], real_t
-    side[8], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t wrench[6],
+    real_t side[8], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -935,8 +932,8 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_kernel_tension_finish(const real_t structure[48], const real_t wrench[6], const
-    real_t pivot[1], const real_t side[8], real_t tension[8])
+static tb_status tb_kernel_tension_finish(const real_t structure[48], const real_t wrench[6],
+    const real_t pivot[1], const real_t side[8], real_t tension[8])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
         TB_C(0.5) : TB_C(0.0));
@@ -1455,8 +1452,8 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     return t458 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_kernel_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8])
+tb_status tb_kernel_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8])
 {
     real_t pivot[1];
     real_t side[8];
@@ -1891,8 +1888,8 @@ static tb_status tb_reduced_matrix_tension_visit(const real_t chosen[36], const 
 }
 
 /* After the last subset. */
-static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const real_t best[6], const
-    real_t cables[6], real_t tension[8])
+static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const real_t best[6],
+    const real_t cables[6], real_t tension[8])
 {
     const real_t t0 = tb_max(best[0], TB_C(0.0));
     const real_t t1 = tb_max(best[1], TB_C(0.0));
@@ -1968,8 +1965,8 @@ static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const r
     return t30 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8])
+tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8])
 {
     static const unsigned char subsets[28][6] = {{0,1,2,3,4,5}, {0,1,2,3,4,6}, {0,1,2,3,4,7},
         {0,1,2,3,5,6}, {0,1,2,3,5,7}, {0,1,2,3,6,7}, {0,1,2,4,5,6}, {0,1,2,4,5,7},
@@ -2010,6 +2007,71 @@ tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wre
     return tb_reduced_matrix_tension_finish(least, best, cables, tension);
 }
 
+/* Refuses with a status: weighed is 0; most is 0; least is 0; size is 0 N. */
+static tb_status tb_refuse_largest_tensions_eq12_begin(tb_status status, real_t weighed[48],
+    real_t most[8], real_t least[1], real_t size[1])
+{
+    weighed[0] = TB_C(0.0);
+    weighed[1] = TB_C(0.0);
+    weighed[2] = TB_C(0.0);
+    weighed[3] = TB_C(0.0);
+    weighed[4] = TB_C(0.0);
+    weighed[5] = TB_C(0.0);
+    weighed[6] = TB_C(0.0);
+    weighed[7] = TB_C(0.0);
+    weighed[8] = TB_C(0.0);
+    weighed[9] = TB_C(0.0);
+    weighed[10] = TB_C(0.0);
+    weighed[11] = TB_C(0.0);
+    weighed[12] = TB_C(0.0);
+    weighed[13] = TB_C(0.0);
+    weighed[14] = TB_C(0.0);
+    weighed[15] = TB_C(0.0);
+    weighed[16] = TB_C(0.0);
+    weighed[17] = TB_C(0.0);
+    weighed[18] = TB_C(0.0);
+    weighed[19] = TB_C(0.0);
+    weighed[20] = TB_C(0.0);
+    weighed[21] = TB_C(0.0);
+    weighed[22] = TB_C(0.0);
+    weighed[23] = TB_C(0.0);
+    weighed[24] = TB_C(0.0);
+    weighed[25] = TB_C(0.0);
+    weighed[26] = TB_C(0.0);
+    weighed[27] = TB_C(0.0);
+    weighed[28] = TB_C(0.0);
+    weighed[29] = TB_C(0.0);
+    weighed[30] = TB_C(0.0);
+    weighed[31] = TB_C(0.0);
+    weighed[32] = TB_C(0.0);
+    weighed[33] = TB_C(0.0);
+    weighed[34] = TB_C(0.0);
+    weighed[35] = TB_C(0.0);
+    weighed[36] = TB_C(0.0);
+    weighed[37] = TB_C(0.0);
+    weighed[38] = TB_C(0.0);
+    weighed[39] = TB_C(0.0);
+    weighed[40] = TB_C(0.0);
+    weighed[41] = TB_C(0.0);
+    weighed[42] = TB_C(0.0);
+    weighed[43] = TB_C(0.0);
+    weighed[44] = TB_C(0.0);
+    weighed[45] = TB_C(0.0);
+    weighed[46] = TB_C(0.0);
+    weighed[47] = TB_C(0.0);
+    most[0] = TB_C(0.0);
+    most[1] = TB_C(0.0);
+    most[2] = TB_C(0.0);
+    most[3] = TB_C(0.0);
+    most[4] = TB_C(0.0);
+    most[5] = TB_C(0.0);
+    most[6] = TB_C(0.0);
+    most[7] = TB_C(0.0);
+    least[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
 static tb_status tb_largest_tensions_eq12_begin(const real_t structure[48], const real_t force[1],
     real_t weighed[48], real_t most[8], real_t least[1], real_t size[1])
@@ -2032,65 +2094,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[48], cons
               TB_ABS(structure[45]) + TB_ABS(structure[46]) + TB_ABS(structure[47]) <=
               TB_C(192.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(8000.0))) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        weighed[18] = TB_C(0.0);
-        weighed[19] = TB_C(0.0);
-        weighed[20] = TB_C(0.0);
-        weighed[21] = TB_C(0.0);
-        weighed[22] = TB_C(0.0);
-        weighed[23] = TB_C(0.0);
-        weighed[24] = TB_C(0.0);
-        weighed[25] = TB_C(0.0);
-        weighed[26] = TB_C(0.0);
-        weighed[27] = TB_C(0.0);
-        weighed[28] = TB_C(0.0);
-        weighed[29] = TB_C(0.0);
-        weighed[30] = TB_C(0.0);
-        weighed[31] = TB_C(0.0);
-        weighed[32] = TB_C(0.0);
-        weighed[33] = TB_C(0.0);
-        weighed[34] = TB_C(0.0);
-        weighed[35] = TB_C(0.0);
-        weighed[36] = TB_C(0.0);
-        weighed[37] = TB_C(0.0);
-        weighed[38] = TB_C(0.0);
-        weighed[39] = TB_C(0.0);
-        weighed[40] = TB_C(0.0);
-        weighed[41] = TB_C(0.0);
-        weighed[42] = TB_C(0.0);
-        weighed[43] = TB_C(0.0);
-        weighed[44] = TB_C(0.0);
-        weighed[45] = TB_C(0.0);
-        weighed[46] = TB_C(0.0);
-        weighed[47] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        most[4] = TB_C(0.0);
-        most[5] = TB_C(0.0);
-        most[6] = TB_C(0.0);
-        most[7] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, weighed, most, least, size);
     }
     const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
     const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
@@ -2270,65 +2274,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[48], cons
     const bool t149 = t48 && t0 < TB_ABS(t78) && t0 < TB_ABS(t113) && t0 < TB_ABS(t148);
     const bool t150 = !t149;
     if (t150) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        weighed[18] = TB_C(0.0);
-        weighed[19] = TB_C(0.0);
-        weighed[20] = TB_C(0.0);
-        weighed[21] = TB_C(0.0);
-        weighed[22] = TB_C(0.0);
-        weighed[23] = TB_C(0.0);
-        weighed[24] = TB_C(0.0);
-        weighed[25] = TB_C(0.0);
-        weighed[26] = TB_C(0.0);
-        weighed[27] = TB_C(0.0);
-        weighed[28] = TB_C(0.0);
-        weighed[29] = TB_C(0.0);
-        weighed[30] = TB_C(0.0);
-        weighed[31] = TB_C(0.0);
-        weighed[32] = TB_C(0.0);
-        weighed[33] = TB_C(0.0);
-        weighed[34] = TB_C(0.0);
-        weighed[35] = TB_C(0.0);
-        weighed[36] = TB_C(0.0);
-        weighed[37] = TB_C(0.0);
-        weighed[38] = TB_C(0.0);
-        weighed[39] = TB_C(0.0);
-        weighed[40] = TB_C(0.0);
-        weighed[41] = TB_C(0.0);
-        weighed[42] = TB_C(0.0);
-        weighed[43] = TB_C(0.0);
-        weighed[44] = TB_C(0.0);
-        weighed[45] = TB_C(0.0);
-        weighed[46] = TB_C(0.0);
-        weighed[47] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        most[4] = TB_C(0.0);
-        most[5] = TB_C(0.0);
-        most[6] = TB_C(0.0);
-        most[7] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tensions_eq12_begin(TB_SINGULAR, weighed, most, least, size);
     }
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -2643,8 +2589,8 @@ static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[30], const r
 }
 
 /* After the last subset. */
-static tb_status tb_largest_tensions_eq12_finish(const real_t most[8], const real_t least[1], const
-    real_t size[1], real_t tension[8])
+static tb_status tb_largest_tensions_eq12_finish(const real_t most[8], const real_t least[1],
+    const real_t size[1], real_t tension[8])
 {
     const real_t tension_0 = size[0] * most[0];
     const real_t tension_1 = size[0] * most[1];
@@ -2678,8 +2624,8 @@ static tb_status tb_largest_tensions_eq12_finish(const real_t most[8], const rea
     return TB_OK;
 }
 
-tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t force[1], real_t
-    tension[8])
+tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t force[1],
+    real_t tension[8])
 {
     static const unsigned char subsets[56][5] = {{0,1,2,3,4}, {0,1,2,3,5}, {0,1,2,3,6},
         {0,1,2,3,7}, {0,1,2,4,5}, {0,1,2,4,6}, {0,1,2,4,7}, {0,1,2,5,6}, {0,1,2,5,7},
@@ -2723,9 +2669,66 @@ tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t forc
     return tb_largest_tensions_eq12_finish(most, least, size, tension);
 }
 
+/* Refuses with a status: weighed is 0; most is 0 N; size is 0 N. */
+static tb_status tb_refuse_largest_tension_begin(tb_status status, real_t weighed[48],
+    real_t most[1], real_t size[1])
+{
+    weighed[0] = TB_C(0.0);
+    weighed[1] = TB_C(0.0);
+    weighed[2] = TB_C(0.0);
+    weighed[3] = TB_C(0.0);
+    weighed[4] = TB_C(0.0);
+    weighed[5] = TB_C(0.0);
+    weighed[6] = TB_C(0.0);
+    weighed[7] = TB_C(0.0);
+    weighed[8] = TB_C(0.0);
+    weighed[9] = TB_C(0.0);
+    weighed[10] = TB_C(0.0);
+    weighed[11] = TB_C(0.0);
+    weighed[12] = TB_C(0.0);
+    weighed[13] = TB_C(0.0);
+    weighed[14] = TB_C(0.0);
+    weighed[15] = TB_C(0.0);
+    weighed[16] = TB_C(0.0);
+    weighed[17] = TB_C(0.0);
+    weighed[18] = TB_C(0.0);
+    weighed[19] = TB_C(0.0);
+    weighed[20] = TB_C(0.0);
+    weighed[21] = TB_C(0.0);
+    weighed[22] = TB_C(0.0);
+    weighed[23] = TB_C(0.0);
+    weighed[24] = TB_C(0.0);
+    weighed[25] = TB_C(0.0);
+    weighed[26] = TB_C(0.0);
+    weighed[27] = TB_C(0.0);
+    weighed[28] = TB_C(0.0);
+    weighed[29] = TB_C(0.0);
+    weighed[30] = TB_C(0.0);
+    weighed[31] = TB_C(0.0);
+    weighed[32] = TB_C(0.0);
+    weighed[33] = TB_C(0.0);
+    weighed[34] = TB_C(0.0);
+    weighed[35] = TB_C(0.0);
+    weighed[36] = TB_C(0.0);
+    weighed[37] = TB_C(0.0);
+    weighed[38] = TB_C(0.0);
+    weighed[39] = TB_C(0.0);
+    weighed[40] = TB_C(0.0);
+    weighed[41] = TB_C(0.0);
+    weighed[42] = TB_C(0.0);
+    weighed[43] = TB_C(0.0);
+    weighed[44] = TB_C(0.0);
+    weighed[45] = TB_C(0.0);
+    weighed[46] = TB_C(0.0);
+    weighed[47] = TB_C(0.0);
+    most[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_largest_tension_begin(const real_t structure[48], const real_t force[1], real_t
-    weighed[48], real_t most[1], real_t size[1])
+static tb_status tb_largest_tension_begin(const real_t structure[48], const real_t force[1],
+    real_t weighed[48], real_t most[1], real_t size[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -2745,57 +2748,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[48], const real
               TB_ABS(structure[45]) + TB_ABS(structure[46]) + TB_ABS(structure[47]) <=
               TB_C(192.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(8000.0))) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        weighed[18] = TB_C(0.0);
-        weighed[19] = TB_C(0.0);
-        weighed[20] = TB_C(0.0);
-        weighed[21] = TB_C(0.0);
-        weighed[22] = TB_C(0.0);
-        weighed[23] = TB_C(0.0);
-        weighed[24] = TB_C(0.0);
-        weighed[25] = TB_C(0.0);
-        weighed[26] = TB_C(0.0);
-        weighed[27] = TB_C(0.0);
-        weighed[28] = TB_C(0.0);
-        weighed[29] = TB_C(0.0);
-        weighed[30] = TB_C(0.0);
-        weighed[31] = TB_C(0.0);
-        weighed[32] = TB_C(0.0);
-        weighed[33] = TB_C(0.0);
-        weighed[34] = TB_C(0.0);
-        weighed[35] = TB_C(0.0);
-        weighed[36] = TB_C(0.0);
-        weighed[37] = TB_C(0.0);
-        weighed[38] = TB_C(0.0);
-        weighed[39] = TB_C(0.0);
-        weighed[40] = TB_C(0.0);
-        weighed[41] = TB_C(0.0);
-        weighed[42] = TB_C(0.0);
-        weighed[43] = TB_C(0.0);
-        weighed[44] = TB_C(0.0);
-        weighed[45] = TB_C(0.0);
-        weighed[46] = TB_C(0.0);
-        weighed[47] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, weighed, most, size);
     }
     const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
     const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
@@ -2975,57 +2928,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[48], const real
     const bool t149 = t48 && t0 < TB_ABS(t78) && t0 < TB_ABS(t113) && t0 < TB_ABS(t148);
     const bool t150 = !t149;
     if (t150) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        weighed[18] = TB_C(0.0);
-        weighed[19] = TB_C(0.0);
-        weighed[20] = TB_C(0.0);
-        weighed[21] = TB_C(0.0);
-        weighed[22] = TB_C(0.0);
-        weighed[23] = TB_C(0.0);
-        weighed[24] = TB_C(0.0);
-        weighed[25] = TB_C(0.0);
-        weighed[26] = TB_C(0.0);
-        weighed[27] = TB_C(0.0);
-        weighed[28] = TB_C(0.0);
-        weighed[29] = TB_C(0.0);
-        weighed[30] = TB_C(0.0);
-        weighed[31] = TB_C(0.0);
-        weighed[32] = TB_C(0.0);
-        weighed[33] = TB_C(0.0);
-        weighed[34] = TB_C(0.0);
-        weighed[35] = TB_C(0.0);
-        weighed[36] = TB_C(0.0);
-        weighed[37] = TB_C(0.0);
-        weighed[38] = TB_C(0.0);
-        weighed[39] = TB_C(0.0);
-        weighed[40] = TB_C(0.0);
-        weighed[41] = TB_C(0.0);
-        weighed[42] = TB_C(0.0);
-        weighed[43] = TB_C(0.0);
-        weighed[44] = TB_C(0.0);
-        weighed[45] = TB_C(0.0);
-        weighed[46] = TB_C(0.0);
-        weighed[47] = TB_C(0.0);
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tension_begin(TB_SINGULAR, weighed, most, size);
     }
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -3081,8 +2984,8 @@ static tb_status tb_largest_tension_begin(const real_t structure[48], const real
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[30], const real_t numbers[5], const
-    real_t weighed[48], real_t most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[30], const real_t numbers[5],
+    const real_t weighed[48], real_t most[1], const real_t size[1])
 {
     const real_t t0 = TB_C(16.0) * TB_EPSILON;
     const real_t t1 = chosen[0] * chosen[0] + chosen[5] * chosen[5] + chosen[10] * chosen[10];
@@ -3321,8 +3224,8 @@ static tb_status tb_largest_tension_finish(const real_t most[1], real_t tension[
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tension(const real_t structure[48], const real_t force[1], real_t
-    tension[1])
+tb_status tb_largest_tension(const real_t structure[48], const real_t force[1],
+    real_t tension[1])
 {
     static const unsigned char subsets[56][5] = {{0,1,2,3,4}, {0,1,2,3,5}, {0,1,2,3,6},
         {0,1,2,3,7}, {0,1,2,4,5}, {0,1,2,4,6}, {0,1,2,4,7}, {0,1,2,5,6}, {0,1,2,5,7},

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -23,8 +24,8 @@ extern "C" {
  *  At most 40 steps.
  *  Cost, all branches and steps: 20055 add, 23161 mul, 858 div, 252 sqrt, 3751 compare, 20128
  *    select. */
-tb_status tb_kernel_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8]);
+tb_status tb_kernel_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8]);
 
 /** Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of
  *    T_min and above the one of lowest sum; T_max is not looked at  (Brau eqs 6, 7).
@@ -37,8 +38,8 @@ tb_status tb_kernel_tension(const real_t structure[48], const real_t wrench[6], 
  *  Visits 28 subsets of the cables.
  *  Cost, all branches and steps: 6116 add, 6977 mul, 336 div, 140 sqrt, 105 compare, 782
  *    select. */
-tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8]);
+tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8]);
 
 /** Upper bound of every tension over all directions of a force without a moment and all sets of
  *    d cables, T_min = 0: tight for d + 1 cables all around, else far too high  (Brau eq. 12
@@ -52,8 +53,8 @@ tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wre
  *  Visits 56 subsets of the cables.
  *  Cost, all branches and steps: 9839 add, 12312 mul, 733 div, 342 sqrt, 2527 compare, 1906
  *    select. */
-tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t force[1], real_t
-    tension[8]);
+tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t force[1],
+    real_t tension[8]);
 
 /** Least T_max with which every force of a size without a moment is feasible; exact for any
  *    number of cables  (facets of {S T}, in place of Brau eq. 20).
@@ -66,8 +67,8 @@ tb_status tb_largest_tensions_eq12(const real_t structure[48], const real_t forc
  *  Visits 56 subsets of the cables.
  *  Cost, all branches and steps: 10847 add, 12639 mul, 397 div, 342 sqrt, 2751 compare, 842
  *    select. */
-tb_status tb_largest_tension(const real_t structure[48], const real_t force[1], real_t
-    tension[1]);
+tb_status tb_largest_tension(const real_t structure[48], const real_t force[1],
+    real_t tension[1]);
 
 #ifdef __cplusplus
 }

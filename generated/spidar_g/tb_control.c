@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[8], real_t torque[8])
@@ -63,8 +64,22 @@ tb_status tb_wall_force(const real_t pose[6], const real_t velocity[6], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[48], const real_t tension[8], const real_t
-    hand_force[6], real_t load[8])
+/* Refuses with a status: load is 0.5 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[8])
+{
+    load[0] = TB_C(0.5);
+    load[1] = TB_C(0.5);
+    load[2] = TB_C(0.5);
+    load[3] = TB_C(0.5);
+    load[4] = TB_C(0.5);
+    load[5] = TB_C(0.5);
+    load[6] = TB_C(0.5);
+    load[7] = TB_C(0.5);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[48], const real_t tension[8],
+    const real_t hand_force[6], real_t load[8])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -89,15 +104,7 @@ tb_status tb_load_tension(const real_t structure[48], const real_t tension[8], c
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) + TB_ABS(hand_force[2]) +
               TB_ABS(hand_force[3]) + TB_ABS(hand_force[4]) + TB_ABS(hand_force[5]) <=
               TB_C(384000.0))) {
-        load[0] = TB_C(0.5);
-        load[1] = TB_C(0.5);
-        load[2] = TB_C(0.5);
-        load[3] = TB_C(0.5);
-        load[4] = TB_C(0.5);
-        load[5] = TB_C(0.5);
-        load[6] = TB_C(0.5);
-        load[7] = TB_C(0.5);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[8] * structure[0] + structure[9] * structure[1];
     const real_t t1 = t0 + structure[10] * structure[2] + structure[11] * structure[3];
@@ -272,15 +279,7 @@ tb_status tb_load_tension(const real_t structure[48], const real_t tension[8], c
     const bool t162 = t161 < t7 && t161 < t24 && t161 < t45 && t161 < t74;
     const bool t163 = !(t162 && t161 < t106 && t161 < t145);
     if (t163) {
-        load[0] = TB_C(0.5);
-        load[1] = TB_C(0.5);
-        load[2] = TB_C(0.5);
-        load[3] = TB_C(0.5);
-        load[4] = TB_C(0.5);
-        load[5] = TB_C(0.5);
-        load[6] = TB_C(0.5);
-        load[7] = TB_C(0.5);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;

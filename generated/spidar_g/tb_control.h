@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -39,8 +40,8 @@ tb_status tb_wall_force(const real_t pose[6], const real_t velocity[6], real_t f
  *  TB_SINGULAR: the cables pull in fewer than 6 directions.
  *  Error of load: double at most 1.3e-08 N; float at most 7.6e+01 N.
  *  Cost, all branches: 308 add, 412 mul, 6 div, 6 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[48], const real_t tension[8], const real_t
-    hand_force[6], real_t load[8]);
+tb_status tb_load_tension(const real_t structure[48], const real_t tension[8],
+    const real_t hand_force[6], real_t load[8]);
 
 #ifdef __cplusplus
 }

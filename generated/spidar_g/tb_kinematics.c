@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[24])
@@ -183,6 +184,20 @@ tb_status tb_cable_vectors(const real_t pose[6], const real_t rails[1], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[8])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    length[3] = TB_C(0.0);
+    length[4] = TB_C(0.0);
+    length[5] = TB_C(0.0);
+    length[6] = TB_C(0.0);
+    length[7] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[6], const real_t rails[1], real_t length[8])
 {
     (void)rails;
@@ -192,15 +207,7 @@ tb_status tb_cable_lengths(const real_t pose[6], const real_t rails[1], real_t l
           && pose[3] >= -TB_C(1.5471975511965979) && pose[3] <= TB_C(1.5471975511965979)
           && pose[4] >= -TB_C(1.5471975511965979) && pose[4] <= TB_C(1.5471975511965979)
           && pose[5] >= -TB_C(1.5471975511965979) && pose[5] <= TB_C(1.5471975511965979))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        length[4] = TB_C(0.0);
-        length[5] = TB_C(0.0);
-        length[6] = TB_C(0.0);
-        length[7] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5];
     const real_t t1 = t0 * TB_C(0.25);
@@ -309,15 +316,7 @@ tb_status tb_cable_lengths(const real_t pose[6], const real_t rails[1], real_t l
     const bool t73 = t72 && TB_C(0.0001) < length_6 && TB_C(0.0001) < length_7;
     const bool t74 = !t73;
     if (t74) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        length[4] = TB_C(0.0);
-        length[5] = TB_C(0.0);
-        length[6] = TB_C(0.0);
-        length[7] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -330,6 +329,60 @@ tb_status tb_cable_lengths(const real_t pose[6], const real_t rails[1], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0 1, m. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[48])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    structure[8] = TB_C(0.0);
+    structure[9] = TB_C(0.0);
+    structure[10] = TB_C(0.0);
+    structure[11] = TB_C(0.0);
+    structure[12] = TB_C(0.0);
+    structure[13] = TB_C(0.0);
+    structure[14] = TB_C(0.0);
+    structure[15] = TB_C(0.0);
+    structure[16] = TB_C(0.0);
+    structure[17] = TB_C(0.0);
+    structure[18] = TB_C(0.0);
+    structure[19] = TB_C(0.0);
+    structure[20] = TB_C(0.0);
+    structure[21] = TB_C(0.0);
+    structure[22] = TB_C(0.0);
+    structure[23] = TB_C(0.0);
+    structure[24] = TB_C(0.0);
+    structure[25] = TB_C(0.0);
+    structure[26] = TB_C(0.0);
+    structure[27] = TB_C(0.0);
+    structure[28] = TB_C(0.0);
+    structure[29] = TB_C(0.0);
+    structure[30] = TB_C(0.0);
+    structure[31] = TB_C(0.0);
+    structure[32] = TB_C(0.0);
+    structure[33] = TB_C(0.0);
+    structure[34] = TB_C(0.0);
+    structure[35] = TB_C(0.0);
+    structure[36] = TB_C(0.0);
+    structure[37] = TB_C(0.0);
+    structure[38] = TB_C(0.0);
+    structure[39] = TB_C(0.0);
+    structure[40] = TB_C(0.0);
+    structure[41] = TB_C(0.0);
+    structure[42] = TB_C(0.0);
+    structure[43] = TB_C(0.0);
+    structure[44] = TB_C(0.0);
+    structure[45] = TB_C(0.0);
+    structure[46] = TB_C(0.0);
+    structure[47] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[6], const real_t rails[1], real_t structure[48])
 {
     (void)rails;
@@ -339,55 +392,7 @@ tb_status tb_structure_matrix(const real_t pose[6], const real_t rails[1], real_
           && pose[3] >= -TB_C(1.5471975511965979) && pose[3] <= TB_C(1.5471975511965979)
           && pose[4] >= -TB_C(1.5471975511965979) && pose[4] <= TB_C(1.5471975511965979)
           && pose[5] >= -TB_C(1.5471975511965979) && pose[5] <= TB_C(1.5471975511965979))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        structure[12] = TB_C(0.0);
-        structure[13] = TB_C(0.0);
-        structure[14] = TB_C(0.0);
-        structure[15] = TB_C(0.0);
-        structure[16] = TB_C(0.0);
-        structure[17] = TB_C(0.0);
-        structure[18] = TB_C(0.0);
-        structure[19] = TB_C(0.0);
-        structure[20] = TB_C(0.0);
-        structure[21] = TB_C(0.0);
-        structure[22] = TB_C(0.0);
-        structure[23] = TB_C(0.0);
-        structure[24] = TB_C(0.0);
-        structure[25] = TB_C(0.0);
-        structure[26] = TB_C(0.0);
-        structure[27] = TB_C(0.0);
-        structure[28] = TB_C(0.0);
-        structure[29] = TB_C(0.0);
-        structure[30] = TB_C(0.0);
-        structure[31] = TB_C(0.0);
-        structure[32] = TB_C(0.0);
-        structure[33] = TB_C(0.0);
-        structure[34] = TB_C(0.0);
-        structure[35] = TB_C(0.0);
-        structure[36] = TB_C(0.0);
-        structure[37] = TB_C(0.0);
-        structure[38] = TB_C(0.0);
-        structure[39] = TB_C(0.0);
-        structure[40] = TB_C(0.0);
-        structure[41] = TB_C(0.0);
-        structure[42] = TB_C(0.0);
-        structure[43] = TB_C(0.0);
-        structure[44] = TB_C(0.0);
-        structure[45] = TB_C(0.0);
-        structure[46] = TB_C(0.0);
-        structure[47] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5];
     const real_t t1 = t0 * TB_C(0.25);
@@ -565,55 +570,7 @@ tb_status tb_structure_matrix(const real_t pose[6], const real_t rails[1], real_
     const bool t93 = t92 && TB_C(0.0001) < length_6 && TB_C(0.0001) < length_7;
     const bool t94 = !t93;
     if (t94) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        structure[12] = TB_C(0.0);
-        structure[13] = TB_C(0.0);
-        structure[14] = TB_C(0.0);
-        structure[15] = TB_C(0.0);
-        structure[16] = TB_C(0.0);
-        structure[17] = TB_C(0.0);
-        structure[18] = TB_C(0.0);
-        structure[19] = TB_C(0.0);
-        structure[20] = TB_C(0.0);
-        structure[21] = TB_C(0.0);
-        structure[22] = TB_C(0.0);
-        structure[23] = TB_C(0.0);
-        structure[24] = TB_C(0.0);
-        structure[25] = TB_C(0.0);
-        structure[26] = TB_C(0.0);
-        structure[27] = TB_C(0.0);
-        structure[28] = TB_C(0.0);
-        structure[29] = TB_C(0.0);
-        structure[30] = TB_C(0.0);
-        structure[31] = TB_C(0.0);
-        structure[32] = TB_C(0.0);
-        structure[33] = TB_C(0.0);
-        structure[34] = TB_C(0.0);
-        structure[35] = TB_C(0.0);
-        structure[36] = TB_C(0.0);
-        structure[37] = TB_C(0.0);
-        structure[38] = TB_C(0.0);
-        structure[39] = TB_C(0.0);
-        structure[40] = TB_C(0.0);
-        structure[41] = TB_C(0.0);
-        structure[42] = TB_C(0.0);
-        structure[43] = TB_C(0.0);
-        structure[44] = TB_C(0.0);
-        structure[45] = TB_C(0.0);
-        structure[46] = TB_C(0.0);
-        structure[47] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -666,6 +623,60 @@ tb_status tb_structure_matrix(const real_t pose[6], const real_t rails[1], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0 1, m. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[48])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = TB_C(0.0);
+    jacobian[11] = TB_C(0.0);
+    jacobian[12] = TB_C(0.0);
+    jacobian[13] = TB_C(0.0);
+    jacobian[14] = TB_C(0.0);
+    jacobian[15] = TB_C(0.0);
+    jacobian[16] = TB_C(0.0);
+    jacobian[17] = TB_C(0.0);
+    jacobian[18] = TB_C(0.0);
+    jacobian[19] = TB_C(0.0);
+    jacobian[20] = TB_C(0.0);
+    jacobian[21] = TB_C(0.0);
+    jacobian[22] = TB_C(0.0);
+    jacobian[23] = TB_C(0.0);
+    jacobian[24] = TB_C(0.0);
+    jacobian[25] = TB_C(0.0);
+    jacobian[26] = TB_C(0.0);
+    jacobian[27] = TB_C(0.0);
+    jacobian[28] = TB_C(0.0);
+    jacobian[29] = TB_C(0.0);
+    jacobian[30] = TB_C(0.0);
+    jacobian[31] = TB_C(0.0);
+    jacobian[32] = TB_C(0.0);
+    jacobian[33] = TB_C(0.0);
+    jacobian[34] = TB_C(0.0);
+    jacobian[35] = TB_C(0.0);
+    jacobian[36] = TB_C(0.0);
+    jacobian[37] = TB_C(0.0);
+    jacobian[38] = TB_C(0.0);
+    jacobian[39] = TB_C(0.0);
+    jacobian[40] = TB_C(0.0);
+    jacobian[41] = TB_C(0.0);
+    jacobian[42] = TB_C(0.0);
+    jacobian[43] = TB_C(0.0);
+    jacobian[44] = TB_C(0.0);
+    jacobian[45] = TB_C(0.0);
+    jacobian[46] = TB_C(0.0);
+    jacobian[47] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[6], const real_t rails[1], real_t jacobian[48])
 {
     (void)rails;
@@ -675,55 +686,7 @@ tb_status tb_length_jacobian(const real_t pose[6], const real_t rails[1], real_t
           && pose[3] >= -TB_C(1.5471975511965979) && pose[3] <= TB_C(1.5471975511965979)
           && pose[4] >= -TB_C(1.5471975511965979) && pose[4] <= TB_C(1.5471975511965979)
           && pose[5] >= -TB_C(1.5471975511965979) && pose[5] <= TB_C(1.5471975511965979))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        jacobian[18] = TB_C(0.0);
-        jacobian[19] = TB_C(0.0);
-        jacobian[20] = TB_C(0.0);
-        jacobian[21] = TB_C(0.0);
-        jacobian[22] = TB_C(0.0);
-        jacobian[23] = TB_C(0.0);
-        jacobian[24] = TB_C(0.0);
-        jacobian[25] = TB_C(0.0);
-        jacobian[26] = TB_C(0.0);
-        jacobian[27] = TB_C(0.0);
-        jacobian[28] = TB_C(0.0);
-        jacobian[29] = TB_C(0.0);
-        jacobian[30] = TB_C(0.0);
-        jacobian[31] = TB_C(0.0);
-        jacobian[32] = TB_C(0.0);
-        jacobian[33] = TB_C(0.0);
-        jacobian[34] = TB_C(0.0);
-        jacobian[35] = TB_C(0.0);
-        jacobian[36] = TB_C(0.0);
-        jacobian[37] = TB_C(0.0);
-        jacobian[38] = TB_C(0.0);
-        jacobian[39] = TB_C(0.0);
-        jacobian[40] = TB_C(0.0);
-        jacobian[41] = TB_C(0.0);
-        jacobian[42] = TB_C(0.0);
-        jacobian[43] = TB_C(0.0);
-        jacobian[44] = TB_C(0.0);
-        jacobian[45] = TB_C(0.0);
-        jacobian[46] = TB_C(0.0);
-        jacobian[47] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5];
     const real_t t1 = t0 * TB_C(0.25);
@@ -925,55 +888,7 @@ tb_status tb_length_jacobian(const real_t pose[6], const real_t rails[1], real_t
     const bool t117 = t116 && TB_C(0.0001) < length_6 && TB_C(0.0001) < length_7;
     const bool t118 = !t117;
     if (t118) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        jacobian[18] = TB_C(0.0);
-        jacobian[19] = TB_C(0.0);
-        jacobian[20] = TB_C(0.0);
-        jacobian[21] = TB_C(0.0);
-        jacobian[22] = TB_C(0.0);
-        jacobian[23] = TB_C(0.0);
-        jacobian[24] = TB_C(0.0);
-        jacobian[25] = TB_C(0.0);
-        jacobian[26] = TB_C(0.0);
-        jacobian[27] = TB_C(0.0);
-        jacobian[28] = TB_C(0.0);
-        jacobian[29] = TB_C(0.0);
-        jacobian[30] = TB_C(0.0);
-        jacobian[31] = TB_C(0.0);
-        jacobian[32] = TB_C(0.0);
-        jacobian[33] = TB_C(0.0);
-        jacobian[34] = TB_C(0.0);
-        jacobian[35] = TB_C(0.0);
-        jacobian[36] = TB_C(0.0);
-        jacobian[37] = TB_C(0.0);
-        jacobian[38] = TB_C(0.0);
-        jacobian[39] = TB_C(0.0);
-        jacobian[40] = TB_C(0.0);
-        jacobian[41] = TB_C(0.0);
-        jacobian[42] = TB_C(0.0);
-        jacobian[43] = TB_C(0.0);
-        jacobian[44] = TB_C(0.0);
-        jacobian[45] = TB_C(0.0);
-        jacobian[46] = TB_C(0.0);
-        jacobian[47] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -1026,8 +941,20 @@ tb_status tb_length_jacobian(const real_t pose[6], const real_t rails[1], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const real_t
-    length_rates[8], const real_t rail_rates[1], real_t velocity[6])
+/* Refuses with a status: velocity is 0 m/s, rad/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[6])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    velocity[2] = TB_C(0.0);
+    velocity[3] = TB_C(0.0);
+    velocity[4] = TB_C(0.0);
+    velocity[5] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1],
+    const real_t length_rates[8], const real_t rail_rates[1], real_t velocity[6])
 {
     (void)rails;
     (void)rail_rates;
@@ -1040,13 +967,7 @@ tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const re
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) + TB_ABS(length_rates[4]) + TB_ABS(length_rates[5]) +
               TB_ABS(length_rates[6]) + TB_ABS(length_rates[7]) <= TB_C(800.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        velocity[3] = TB_C(0.0);
-        velocity[4] = TB_C(0.0);
-        velocity[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5];
     const real_t t1 = t0 * TB_C(0.25);
@@ -1331,23 +1252,8 @@ tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const re
     const real_t t238 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t239 = t238 < t91 && t238 < t108 && t238 < t130 && t238 < t158;
     const bool t240 = !(t239 && t238 < t190 && t238 < t227);
-    if (t237) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        velocity[3] = TB_C(0.0);
-        velocity[4] = TB_C(0.0);
-        velocity[5] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t240) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        velocity[3] = TB_C(0.0);
-        velocity[4] = TB_C(0.0);
-        velocity[5] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t237 || t240) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
@@ -1359,8 +1265,8 @@ tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const re
 }
 
 /* The guess is the first estimate. */
-static tb_status tb_forward_kinematics_begin(const real_t guess[6], const real_t lengths[8], const
-    real_t rails[1], real_t estimate[6])
+static tb_status tb_forward_kinematics_begin(const real_t guess[6], const real_t lengths[8],
+    const real_t rails[1], real_t estimate[6])
 {
     (void)rails;
     if (!(guess[0] >= -TB_C(1.2) && guess[0] <= TB_C(1.2)
@@ -1395,8 +1301,8 @@ static tb_status tb_forward_kinematics_begin(const real_t guess[6], const real_t
 }
 
 /* Gauss-Newton step on the misfit of the lengths. */
-static tb_status tb_forward_kinematics_step(const real_t lengths[8], const real_t rails[1], real_t
-    estimate[6], real_t found[1])
+static tb_status tb_forward_kinematics_step(const real_t lengths[8], const real_t rails[1],
+    real_t estimate[6], real_t found[1])
 {
     (void)rails;
     const real_t t0 = estimate[3] * estimate[3] + estimate[4] * estimate[4];
@@ -1708,17 +1614,7 @@ static tb_status tb_forward_kinematics_step(const real_t lengths[8], const real_
     const real_t t283 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t284 = t283 < t118 && t283 < t136 && t283 < t157 && t283 < t183;
     const bool t285 = !(t284 && t283 < t213 && t283 < t249);
-    if (t282) {
-        estimate[0] = TB_C(0.0);
-        estimate[1] = TB_C(0.0);
-        estimate[2] = TB_C(0.0);
-        estimate[3] = TB_C(0.0);
-        estimate[4] = TB_C(0.0);
-        estimate[5] = TB_C(0.0);
-        found[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t285) {
+    if (t282 || t285) {
         estimate[0] = TB_C(0.0);
         estimate[1] = TB_C(0.0);
         estimate[2] = TB_C(0.0);
@@ -1739,8 +1635,8 @@ static tb_status tb_forward_kinematics_step(const real_t lengths[8], const real_
 }
 
 /* Pose and residual of the last estimate. */
-static tb_status tb_forward_kinematics_finish(const real_t lengths[8], const real_t rails[1], const
-    real_t estimate[6], real_t pose[6], real_t residual[1])
+static tb_status tb_forward_kinematics_finish(const real_t lengths[8], const real_t rails[1],
+    const real_t estimate[6], real_t pose[6], real_t residual[1])
 {
     (void)rails;
     const real_t t0 = estimate[3] * estimate[3] + estimate[4] * estimate[4];
@@ -1994,17 +1890,7 @@ static tb_status tb_forward_kinematics_finish(const real_t lengths[8], const rea
     const real_t t228 = t227 / t197;
     const bool t229 = t170 && t95 < t197 && t95 < t223 - t197 * (t228 * t228);
     const bool t230 = !t229;
-    if (t94) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        pose[3] = TB_C(0.0);
-        pose[4] = TB_C(0.0);
-        pose[5] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t230) {
+    if (t94 || t230) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
@@ -2024,8 +1910,8 @@ static tb_status tb_forward_kinematics_finish(const real_t lengths[8], const rea
     return TB_OK;
 }
 
-tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8], const real_t
-    rails[1], real_t pose[6], real_t residual[1])
+tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8],
+    const real_t rails[1], real_t pose[6], real_t residual[1])
 {
     real_t estimate[6];
     real_t found[1] = {TB_C(0.0)};
@@ -2050,8 +1936,8 @@ tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8], 
 }
 
 /* The guess is the first estimate. */
-static tb_status tb_locate_begin(const real_t guess[6], const real_t lengths[8], const real_t
-    rails[1], const real_t length_rates[8], const real_t rail_rates[1], real_t estimate[6])
+static tb_status tb_locate_begin(const real_t guess[6], const real_t lengths[8], const real_t rails[1],
+    const real_t length_rates[8], const real_t rail_rates[1], real_t estimate[6])
 {
     (void)rails;
     (void)rail_rates;
@@ -2403,17 +2289,7 @@ static tb_status tb_locate_step(const real_t lengths[8], const real_t rails[1], 
     const real_t t283 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t284 = t283 < t118 && t283 < t136 && t283 < t157 && t283 < t183;
     const bool t285 = !(t284 && t283 < t213 && t283 < t249);
-    if (t282) {
-        estimate[0] = TB_C(0.0);
-        estimate[1] = TB_C(0.0);
-        estimate[2] = TB_C(0.0);
-        estimate[3] = TB_C(0.0);
-        estimate[4] = TB_C(0.0);
-        estimate[5] = TB_C(0.0);
-        found[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t285) {
+    if (t282 || t285) {
         estimate[0] = TB_C(0.0);
         estimate[1] = TB_C(0.0);
         estimate[2] = TB_C(0.0);
@@ -2434,9 +2310,9 @@ static tb_status tb_locate_step(const real_t lengths[8], const real_t rails[1], 
 }
 
 /* Everything at the last estimate. */
-static tb_status tb_locate_finish(const real_t lengths[8], const real_t rails[1], const real_t
-    length_rates[8], const real_t rail_rates[1], const real_t estimate[6], real_t pose[6],
-    real_t residual[1], real_t structure[48], real_t velocity[6])
+static tb_status tb_locate_finish(const real_t lengths[8], const real_t rails[1],
+    const real_t length_rates[8], const real_t rail_rates[1], const real_t estimate[6],
+    real_t pose[6], real_t residual[1], real_t structure[48], real_t velocity[6])
 {
     (void)rails;
     (void)rail_rates;
@@ -2787,71 +2663,7 @@ static tb_status tb_locate_finish(const real_t lengths[8], const real_t rails[1]
     const real_t t263 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t264 = t263 < t124 && t263 < t136 && t263 < t154 && t263 < t183;
     const bool t265 = !(t264 && t263 < t216 && t263 < t254);
-    if (t262) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        pose[2] = TB_C(0.0);
-        pose[3] = TB_C(0.0);
-        pose[4] = TB_C(0.0);
-        pose[5] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        structure[8] = TB_C(0.0);
-        structure[9] = TB_C(0.0);
-        structure[10] = TB_C(0.0);
-        structure[11] = TB_C(0.0);
-        structure[12] = TB_C(0.0);
-        structure[13] = TB_C(0.0);
-        structure[14] = TB_C(0.0);
-        structure[15] = TB_C(0.0);
-        structure[16] = TB_C(0.0);
-        structure[17] = TB_C(0.0);
-        structure[18] = TB_C(0.0);
-        structure[19] = TB_C(0.0);
-        structure[20] = TB_C(0.0);
-        structure[21] = TB_C(0.0);
-        structure[22] = TB_C(0.0);
-        structure[23] = TB_C(0.0);
-        structure[24] = TB_C(0.0);
-        structure[25] = TB_C(0.0);
-        structure[26] = TB_C(0.0);
-        structure[27] = TB_C(0.0);
-        structure[28] = TB_C(0.0);
-        structure[29] = TB_C(0.0);
-        structure[30] = TB_C(0.0);
-        structure[31] = TB_C(0.0);
-        structure[32] = TB_C(0.0);
-        structure[33] = TB_C(0.0);
-        structure[34] = TB_C(0.0);
-        structure[35] = TB_C(0.0);
-        structure[36] = TB_C(0.0);
-        structure[37] = TB_C(0.0);
-        structure[38] = TB_C(0.0);
-        structure[39] = TB_C(0.0);
-        structure[40] = TB_C(0.0);
-        structure[41] = TB_C(0.0);
-        structure[42] = TB_C(0.0);
-        structure[43] = TB_C(0.0);
-        structure[44] = TB_C(0.0);
-        structure[45] = TB_C(0.0);
-        structure[46] = TB_C(0.0);
-        structure[47] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        velocity[2] = TB_C(0.0);
-        velocity[3] = TB_C(0.0);
-        velocity[4] = TB_C(0.0);
-        velocity[5] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t265) {
+    if (t262 || t265) {
         pose[0] = TB_C(0.0);
         pose[1] = TB_C(0.0);
         pose[2] = TB_C(0.0);
@@ -2980,8 +2792,8 @@ static tb_status tb_locate_finish(const real_t lengths[8], const real_t rails[1]
 }
 
 tb_status tb_locate(const real_t guess[6], const real_t lengths[8], const real_t rails[1],
-    const real_t length_rates[8], const real_t rail_rates[1], real_t pose[6], real_t
-    residual[1], real_t structure[48], real_t velocity[6])
+    const real_t length_rates[8], const real_t rail_rates[1], real_t pose[6],
+    real_t residual[1], real_t structure[48], real_t velocity[6])
 {
     real_t estimate[6];
     real_t found[1] = {TB_C(0.0)};

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -72,8 +73,8 @@ tb_status tb_length_jacobian(const real_t pose[6], const real_t rails[1], real_t
  *  TB_SINGULAR: the cables pull in fewer than 6 directions.
  *  Error of velocity: double at most 1.9e-08 m/s, rad/s; float at most 1.9e+00 m/s, rad/s.
  *  Cost, all branches: 368 add, 518 mul, 14 div, 8 sqrt, 14 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const real_t
-    length_rates[8], const real_t rail_rates[1], real_t velocity[6]);
+tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1],
+    const real_t length_rates[8], const real_t rail_rates[1], real_t velocity[6]);
 
 /** Pose from lengths: Gauss-Newton on the least-squares misfit, from a guess of the pose, until
  *    a step changes the lengths by rounding or by 1e-09 of the residual  (Yoon eq. 19).
@@ -90,8 +91,8 @@ tb_status tb_task_velocity(const real_t pose[6], const real_t rails[1], const re
  *  At most 16 steps.
  *  Cost, all branches and steps: 6886 add, 9527 mul, 301 div, 169 sqrt, 254 compare, 289
  *    select. */
-tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8], const real_t
-    rails[1], real_t pose[6], real_t residual[1]);
+tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8],
+    const real_t rails[1], real_t pose[6], real_t residual[1]);
 
 /** Pose, residual, structure matrix and velocity at once: forward_kinematics, structure_matrix
  *    and task_velocity without their common work  (Yoon eq. 19, 21, 20 with normalised rows).
@@ -113,8 +114,8 @@ tb_status tb_forward_kinematics(const real_t guess[6], const real_t lengths[8], 
  *  Cost, all branches and steps: 6977 add, 9614 mul, 302 div, 169 sqrt, 254 compare, 289
  *    select. */
 tb_status tb_locate(const real_t guess[6], const real_t lengths[8], const real_t rails[1],
-    const real_t length_rates[8], const real_t rail_rates[1], real_t pose[6], real_t
-    residual[1], real_t structure[48], real_t velocity[6]);
+    const real_t length_rates[8], const real_t rail_rates[1], real_t pose[6],
+    real_t residual[1], real_t structure[48], real_t velocity[6]);
 
 #ifdef __cplusplus
 }

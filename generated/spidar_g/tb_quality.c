@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"
@@ -289,8 +290,8 @@ static tb_status tb_balance_begin(const real_t structure[48], real_t weighed[48]
 }
 
 /* One subset. */
-static tb_status tb_balance_visit(const real_t chosen[30], const real_t numbers[5], const real_t
-    weighed[48], real_t margin[1])
+static tb_status tb_balance_visit(const real_t chosen[30], const real_t numbers[5],
+    const real_t weighed[48], real_t margin[1])
 {
     const real_t t0 = TB_C(16.0) * TB_EPSILON;
     const real_t t1 = chosen[0] * chosen[0] + chosen[5] * chosen[5] + chosen[10] * chosen[10];
@@ -581,6 +582,20 @@ static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[
     return TB_OK;
 }
 
+/* Refuses with a status: tension is 0.5 N. */
+static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[8])
+{
+    tension[0] = TB_C(0.5);
+    tension[1] = TB_C(0.5);
+    tension[2] = TB_C(0.5);
+    tension[3] = TB_C(0.5);
+    tension[4] = TB_C(0.5);
+    tension[5] = TB_C(0.5);
+    tension[6] = TB_C(0.5);
+    tension[7] = TB_C(0.5);
+    return status;
+}
+
 tb_status tb_zero_wrench_tension(const real_t pose[6], const real_t rails[1], real_t tension[8])
 {
     real_t structure[48];
@@ -593,41 +608,17 @@ tb_status tb_zero_wrench_tension(const real_t pose[6], const real_t rails[1], re
     tb_status status;
     status = tb_structure_matrix(pose, rails, structure);
     if (status > TB_INFEASIBLE) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
-        return status;
+        return tb_refuse_zero_wrench_tension(status, tension);
     }
     status = tb_balance(structure, balanced, wrench);
     if (status > TB_INFEASIBLE) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
-        return status;
+        return tb_refuse_zero_wrench_tension(status, tension);
     }
     infeasible = infeasible || status == TB_INFEASIBLE;
     if (balanced[0] > TB_C(0.0)) {
         status = tb_least_norm_tension(structure, wrench, rest, exerted, residual);
         if (status > TB_INFEASIBLE) {
-            tension[0] = TB_C(0.5);
-            tension[1] = TB_C(0.5);
-            tension[2] = TB_C(0.5);
-            tension[3] = TB_C(0.5);
-            tension[4] = TB_C(0.5);
-            tension[5] = TB_C(0.5);
-            tension[6] = TB_C(0.5);
-            tension[7] = TB_C(0.5);
-            return status;
+            return tb_refuse_zero_wrench_tension(status, tension);
         }
     }
     status = tb_tension_at_rest(balanced, rest, tension);
@@ -660,6 +651,13 @@ static tb_status tb_factor_at_rest(const real_t balanced[1], const real_t rest[8
     return TB_OK;
 }
 
+/* Refuses with a status: factor is 0. */
+static tb_status tb_refuse_tension_factor(tb_status status, real_t factor[1])
+{
+    factor[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_tension_factor(const real_t pose[6], const real_t rails[1], real_t factor[1])
 {
     real_t structure[48];
@@ -672,20 +670,17 @@ tb_status tb_tension_factor(const real_t pose[6], const real_t rails[1], real_t 
     tb_status status;
     status = tb_structure_matrix(pose, rails, structure);
     if (status > TB_INFEASIBLE) {
-        factor[0] = TB_C(0.0);
-        return status;
+        return tb_refuse_tension_factor(status, factor);
     }
     status = tb_balance(structure, balanced, wrench);
     if (status > TB_INFEASIBLE) {
-        factor[0] = TB_C(0.0);
-        return status;
+        return tb_refuse_tension_factor(status, factor);
     }
     infeasible = infeasible || status == TB_INFEASIBLE;
     if (balanced[0] > TB_C(0.0)) {
         status = tb_least_norm_tension(structure, wrench, rest, exerted, residual);
         if (status > TB_INFEASIBLE) {
-            factor[0] = TB_C(0.0);
-            return status;
+            return tb_refuse_tension_factor(status, factor);
         }
     }
     status = tb_factor_at_rest(balanced, rest, factor);
@@ -980,8 +975,8 @@ static tb_status tb_isotropic_begin(const real_t structure[48], real_t weighed[4
 }
 
 /* One subset. */
-static tb_status tb_isotropic_visit(const real_t chosen[30], const real_t numbers[5], const real_t
-    weighed[48], real_t margin[1], real_t radius[1])
+static tb_status tb_isotropic_visit(const real_t chosen[30], const real_t numbers[5],
+    const real_t weighed[48], real_t margin[1], real_t radius[1])
 {
     const real_t t0 = TB_C(16.0) * TB_EPSILON;
     const real_t t1 = chosen[0] * chosen[0] + chosen[5] * chosen[5] + chosen[10] * chosen[10];

@@ -1,6 +1,25 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
+    real_t side[8], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    side[5] = TB_C(0.0);
+    side[6] = TB_C(0.0);
+    side[7] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
 
 /* All cables are free. */
 static tb_status tb_least_norm_tension_begin(const real_t structure[48], const real_t wrench[6],
@@ -25,18 +44,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[48], const r
               TB_C(192.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) + TB_ABS(wrench[3]) +
               TB_ABS(wrench[4]) + TB_ABS(wrench[5]) <= TB_C(384000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        side[6] = TB_C(0.0);
-        side[7] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -220,18 +228,7 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[48], const r
     const bool t176 = t175 < t6 && t175 < t23 && t175 < t49 && t175 < t87;
     const bool t177 = !(t176 && t175 < t130 && t175 < t174);
     if (t177) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        side[6] = TB_C(0.0);
-        side[7] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -248,8 +245,8 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[48], const r
 }
 
 /* Moves a cable towards its bounds, until it is held or another one is freed. */
-static tb_status tb_least_norm_tension_step(const real_t structure[48], const real_t wrench[6], real_t
-    side[8], real_t moving[1], real_t push[1], real_t done[1])
+static tb_status tb_least_norm_tension_step(const real_t structure[48], const real_t wrench[6],
+    real_t side[8], real_t moving[1], real_t push[1], real_t done[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = t0 ? TB_C(1.0) : TB_C(0.0);
@@ -930,8 +927,8 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
 
 /* The tensions, refined and judged. */
 static tb_status tb_least_norm_tension_finish(const real_t structure[48], const real_t wrench[6],
-    const real_t pivot[1], const real_t side[8], real_t tension[8], real_t delivered[6], real_t
-    kkt_residual[1])
+    const real_t pivot[1], const real_t side[8], real_t tension[8], real_t delivered[6],
+    real_t kkt_residual[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
     const real_t t1 = TB_C(0.0) < side[0] ? TB_C(8.0) : (side[0] < TB_C(0.0) ? TB_C(0.5) :
@@ -1479,8 +1476,8 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     return TB_OK;
 }
 
-tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8], real_t delivered[6], real_t kkt_residual[1])
+tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1])
 {
     real_t pivot[1];
     real_t side[8];
@@ -1517,6 +1514,24 @@ tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[
         kkt_residual);
 }
 
+/* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper_begin(tb_status status, real_t pivot[1],
+    real_t side[8], real_t moving[1], real_t push[1])
+{
+    pivot[0] = TB_C(0.0);
+    side[0] = TB_C(0.0);
+    side[1] = TB_C(0.0);
+    side[2] = TB_C(0.0);
+    side[3] = TB_C(0.0);
+    side[4] = TB_C(0.0);
+    side[5] = TB_C(0.0);
+    side[6] = TB_C(0.0);
+    side[7] = TB_C(0.0);
+    moving[0] = TB_C(0.0);
+    push[0] = TB_C(0.0);
+    return status;
+}
+
 /* All cables are free. */
 static tb_status tb_distribute_tension_paper_begin(const real_t structure[48], const real_t wrench[6],
     real_t pivot[1], real_t side[8], real_t moving[1], real_t push[1])
@@ -1540,18 +1555,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[48], c
               TB_C(192.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) + TB_ABS(wrench[3]) +
               TB_ABS(wrench[4]) + TB_ABS(wrench[5]) <= TB_C(384000.0))) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        side[6] = TB_C(0.0);
-        side[7] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper_begin(TB_OUT_OF_DOMAIN, pivot, side, moving, push);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -1735,18 +1739,7 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[48], c
     const bool t176 = t175 < t6 && t175 < t23 && t175 < t49 && t175 < t87;
     const bool t177 = !(t176 && t175 < t130 && t175 < t174);
     if (t177) {
-        pivot[0] = TB_C(0.0);
-        side[0] = TB_C(0.0);
-        side[1] = TB_C(0.0);
-        side[2] = TB_C(0.0);
-        side[3] = TB_C(0.0);
-        side[4] = TB_C(0.0);
-        side[5] = TB_C(0.0);
-        side[6] = TB_C(0.0);
-        side[7] = TB_C(0.0);
-        moving[0] = TB_C(0.0);
-        push[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper_begin(TB_SINGULAR, pivot, side, moving, push);
     }
     pivot[0] = pivot_0;
     side[0] = TB_C(0.0);
@@ -2450,9 +2443,9 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
 }
 
 /* The tensions, refined and judged. */
-static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], const real_t
-    wrench[6], const real_t pivot[1], const real_t side[8], real_t tension[8], real_t
-    delivered[6], real_t kkt_residual[1])
+static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], const real_t wrench[6],
+    const real_t pivot[1], const real_t side[8], real_t tension[8], real_t delivered[6],
+    real_t kkt_residual[1])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
         TB_C(0.5) : TB_C(0.0));
@@ -4555,8 +4548,8 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[48], con
     return t4 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wrench[6], real_t
-    served[6], real_t inner[6])
+tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wrench[6],
+    real_t served[6], real_t inner[6])
 {
     real_t points[42];
     real_t weight[7];
@@ -4590,10 +4583,76 @@ tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wren
     return tb_served_wrench_closest_finish(structure, wrench, offset, served, inner);
 }
 
+/* Refuses with a status: weighed is 0; asked is 0 N; inside is 0; largest is 0; first is 0;
+ *   last is 0. */
+static tb_status tb_refuse_wrench_ray_begin(tb_status status, real_t weighed[48],
+    real_t asked[6], real_t inside[1], real_t largest[1], real_t first[1], real_t last[1])
+{
+    weighed[0] = TB_C(0.0);
+    weighed[1] = TB_C(0.0);
+    weighed[2] = TB_C(0.0);
+    weighed[3] = TB_C(0.0);
+    weighed[4] = TB_C(0.0);
+    weighed[5] = TB_C(0.0);
+    weighed[6] = TB_C(0.0);
+    weighed[7] = TB_C(0.0);
+    weighed[8] = TB_C(0.0);
+    weighed[9] = TB_C(0.0);
+    weighed[10] = TB_C(0.0);
+    weighed[11] = TB_C(0.0);
+    weighed[12] = TB_C(0.0);
+    weighed[13] = TB_C(0.0);
+    weighed[14] = TB_C(0.0);
+    weighed[15] = TB_C(0.0);
+    weighed[16] = TB_C(0.0);
+    weighed[17] = TB_C(0.0);
+    weighed[18] = TB_C(0.0);
+    weighed[19] = TB_C(0.0);
+    weighed[20] = TB_C(0.0);
+    weighed[21] = TB_C(0.0);
+    weighed[22] = TB_C(0.0);
+    weighed[23] = TB_C(0.0);
+    weighed[24] = TB_C(0.0);
+    weighed[25] = TB_C(0.0);
+    weighed[26] = TB_C(0.0);
+    weighed[27] = TB_C(0.0);
+    weighed[28] = TB_C(0.0);
+    weighed[29] = TB_C(0.0);
+    weighed[30] = TB_C(0.0);
+    weighed[31] = TB_C(0.0);
+    weighed[32] = TB_C(0.0);
+    weighed[33] = TB_C(0.0);
+    weighed[34] = TB_C(0.0);
+    weighed[35] = TB_C(0.0);
+    weighed[36] = TB_C(0.0);
+    weighed[37] = TB_C(0.0);
+    weighed[38] = TB_C(0.0);
+    weighed[39] = TB_C(0.0);
+    weighed[40] = TB_C(0.0);
+    weighed[41] = TB_C(0.0);
+    weighed[42] = TB_C(0.0);
+    weighed[43] = TB_C(0.0);
+    weighed[44] = TB_C(0.0);
+    weighed[45] = TB_C(0.0);
+    weighed[46] = TB_C(0.0);
+    weighed[47] = TB_C(0.0);
+    asked[0] = TB_C(0.0);
+    asked[1] = TB_C(0.0);
+    asked[2] = TB_C(0.0);
+    asked[3] = TB_C(0.0);
+    asked[4] = TB_C(0.0);
+    asked[5] = TB_C(0.0);
+    inside[0] = TB_C(0.0);
+    largest[0] = TB_C(0.0);
+    first[0] = TB_C(0.0);
+    last[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_wrench_ray_begin(const real_t structure[48], const real_t wrench[6], real_t
-    weighed[48], real_t asked[6], real_t inside[1], real_t largest[1], real_t first[1], real_t
-    last[1])
+static tb_status tb_wrench_ray_begin(const real_t structure[48], const real_t wrench[6],
+    real_t weighed[48], real_t asked[6], real_t inside[1], real_t largest[1], real_t first[1],
+    real_t last[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -4614,65 +4673,7 @@ static tb_status tb_wrench_ray_begin(const real_t structure[48], const real_t wr
               TB_C(192.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) + TB_ABS(wrench[3]) +
               TB_ABS(wrench[4]) + TB_ABS(wrench[5]) <= TB_C(384000.0))) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        weighed[18] = TB_C(0.0);
-        weighed[19] = TB_C(0.0);
-        weighed[20] = TB_C(0.0);
-        weighed[21] = TB_C(0.0);
-        weighed[22] = TB_C(0.0);
-        weighed[23] = TB_C(0.0);
-        weighed[24] = TB_C(0.0);
-        weighed[25] = TB_C(0.0);
-        weighed[26] = TB_C(0.0);
-        weighed[27] = TB_C(0.0);
-        weighed[28] = TB_C(0.0);
-        weighed[29] = TB_C(0.0);
-        weighed[30] = TB_C(0.0);
-        weighed[31] = TB_C(0.0);
-        weighed[32] = TB_C(0.0);
-        weighed[33] = TB_C(0.0);
-        weighed[34] = TB_C(0.0);
-        weighed[35] = TB_C(0.0);
-        weighed[36] = TB_C(0.0);
-        weighed[37] = TB_C(0.0);
-        weighed[38] = TB_C(0.0);
-        weighed[39] = TB_C(0.0);
-        weighed[40] = TB_C(0.0);
-        weighed[41] = TB_C(0.0);
-        weighed[42] = TB_C(0.0);
-        weighed[43] = TB_C(0.0);
-        weighed[44] = TB_C(0.0);
-        weighed[45] = TB_C(0.0);
-        weighed[46] = TB_C(0.0);
-        weighed[47] = TB_C(0.0);
-        asked[0] = TB_C(0.0);
-        asked[1] = TB_C(0.0);
-        asked[2] = TB_C(0.0);
-        asked[3] = TB_C(0.0);
-        asked[4] = TB_C(0.0);
-        asked[5] = TB_C(0.0);
-        inside[0] = TB_C(0.0);
-        largest[0] = TB_C(0.0);
-        first[0] = TB_C(0.0);
-        last[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_ray_begin(TB_OUT_OF_DOMAIN, weighed, asked, inside, largest, first, last);
     }
     const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
     const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
@@ -4855,65 +4856,7 @@ static tb_status tb_wrench_ray_begin(const real_t structure[48], const real_t wr
     const bool t149 = t48 && t0 < TB_ABS(t78) && t0 < TB_ABS(t113) && t0 < TB_ABS(t148);
     const bool t150 = !t149;
     if (t150) {
-        weighed[0] = TB_C(0.0);
-        weighed[1] = TB_C(0.0);
-        weighed[2] = TB_C(0.0);
-        weighed[3] = TB_C(0.0);
-        weighed[4] = TB_C(0.0);
-        weighed[5] = TB_C(0.0);
-        weighed[6] = TB_C(0.0);
-        weighed[7] = TB_C(0.0);
-        weighed[8] = TB_C(0.0);
-        weighed[9] = TB_C(0.0);
-        weighed[10] = TB_C(0.0);
-        weighed[11] = TB_C(0.0);
-        weighed[12] = TB_C(0.0);
-        weighed[13] = TB_C(0.0);
-        weighed[14] = TB_C(0.0);
-        weighed[15] = TB_C(0.0);
-        weighed[16] = TB_C(0.0);
-        weighed[17] = TB_C(0.0);
-        weighed[18] = TB_C(0.0);
-        weighed[19] = TB_C(0.0);
-        weighed[20] = TB_C(0.0);
-        weighed[21] = TB_C(0.0);
-        weighed[22] = TB_C(0.0);
-        weighed[23] = TB_C(0.0);
-        weighed[24] = TB_C(0.0);
-        weighed[25] = TB_C(0.0);
-        weighed[26] = TB_C(0.0);
-        weighed[27] = TB_C(0.0);
-        weighed[28] = TB_C(0.0);
-        weighed[29] = TB_C(0.0);
-        weighed[30] = TB_C(0.0);
-        weighed[31] = TB_C(0.0);
-        weighed[32] = TB_C(0.0);
-        weighed[33] = TB_C(0.0);
-        weighed[34] = TB_C(0.0);
-        weighed[35] = TB_C(0.0);
-        weighed[36] = TB_C(0.0);
-        weighed[37] = TB_C(0.0);
-        weighed[38] = TB_C(0.0);
-        weighed[39] = TB_C(0.0);
-        weighed[40] = TB_C(0.0);
-        weighed[41] = TB_C(0.0);
-        weighed[42] = TB_C(0.0);
-        weighed[43] = TB_C(0.0);
-        weighed[44] = TB_C(0.0);
-        weighed[45] = TB_C(0.0);
-        weighed[46] = TB_C(0.0);
-        weighed[47] = TB_C(0.0);
-        asked[0] = TB_C(0.0);
-        asked[1] = TB_C(0.0);
-        asked[2] = TB_C(0.0);
-        asked[3] = TB_C(0.0);
-        asked[4] = TB_C(0.0);
-        asked[5] = TB_C(0.0);
-        inside[0] = TB_C(0.0);
-        largest[0] = TB_C(0.0);
-        first[0] = TB_C(0.0);
-        last[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_wrench_ray_begin(TB_SINGULAR, weighed, asked, inside, largest, first, last);
     }
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -4977,9 +4920,9 @@ static tb_status tb_wrench_ray_begin(const real_t structure[48], const real_t wr
 }
 
 /* One subset. */
-static tb_status tb_wrench_ray_visit(const real_t chosen[30], const real_t numbers[5], const real_t
-    weighed[48], const real_t asked[6], real_t inside[1], real_t largest[1], real_t first[1],
-    real_t last[1])
+static tb_status tb_wrench_ray_visit(const real_t chosen[30], const real_t numbers[5],
+    const real_t weighed[48], const real_t asked[6], real_t inside[1], real_t largest[1],
+    real_t first[1], real_t last[1])
 {
     const real_t t0 = TB_C(16.0) * TB_EPSILON;
     const real_t t1 = chosen[0] * chosen[0] + chosen[5] * chosen[5] + chosen[10] * chosen[10];
@@ -5218,8 +5161,9 @@ static tb_status tb_wrench_ray_visit(const real_t chosen[30], const real_t numbe
 }
 
 /* After the last subset. */
-static tb_status tb_wrench_ray_finish(const real_t inside[1], const real_t largest[1], const real_t
-    first[1], const real_t last[1], real_t feasible[1], real_t fraction[1], real_t missed[1])
+static tb_status tb_wrench_ray_finish(const real_t inside[1], const real_t largest[1],
+    const real_t first[1], const real_t last[1], real_t feasible[1], real_t fraction[1],
+    real_t missed[1])
 {
     const real_t fraction_0 = tb_max(largest[0], TB_C(0.0));
     const real_t missed_0 = inside[0] <= TB_C(0.0) && last[0] < first[0] ? TB_C(1.0) :
@@ -5276,9 +5220,9 @@ static tb_status tb_wrench_ray(const real_t structure[48], const real_t wrench[6
 
 /* The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *   largest feasible fraction. */
-static tb_status tb_served_fraction(const real_t structure[48], const real_t wrench[6], const real_t
-    feasible[1], const real_t fraction[1], const real_t missed[1], const real_t closest[6],
-    real_t served[6], real_t inner[6])
+static tb_status tb_served_fraction(const real_t structure[48], const real_t wrench[6],
+    const real_t feasible[1], const real_t fraction[1], const real_t missed[1],
+    const real_t closest[6], real_t served[6], real_t inner[6])
 {
     const bool t0 = TB_C(0.0) < feasible[0];
     const bool t1 = !t0;
@@ -5345,8 +5289,27 @@ static tb_status tb_served_fraction(const real_t structure[48], const real_t wre
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench[6], real_t
-    served[6], real_t inner[6])
+/* Refuses with a status: served is 0 N; inner is 0 N. */
+static tb_status tb_refuse_served_wrench_scale(tb_status status, real_t served[6],
+    real_t inner[6])
+{
+    served[0] = TB_C(0.0);
+    served[1] = TB_C(0.0);
+    served[2] = TB_C(0.0);
+    served[3] = TB_C(0.0);
+    served[4] = TB_C(0.0);
+    served[5] = TB_C(0.0);
+    inner[0] = TB_C(0.0);
+    inner[1] = TB_C(0.0);
+    inner[2] = TB_C(0.0);
+    inner[3] = TB_C(0.0);
+    inner[4] = TB_C(0.0);
+    inner[5] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench[6],
+    real_t served[6], real_t inner[6])
 {
     real_t feasible[1];
     real_t fraction[1];
@@ -5357,36 +5320,12 @@ tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench
     tb_status status;
     status = tb_wrench_ray(structure, wrench, feasible, fraction, missed);
     if (status > TB_INFEASIBLE) {
-        served[0] = TB_C(0.0);
-        served[1] = TB_C(0.0);
-        served[2] = TB_C(0.0);
-        served[3] = TB_C(0.0);
-        served[4] = TB_C(0.0);
-        served[5] = TB_C(0.0);
-        inner[0] = TB_C(0.0);
-        inner[1] = TB_C(0.0);
-        inner[2] = TB_C(0.0);
-        inner[3] = TB_C(0.0);
-        inner[4] = TB_C(0.0);
-        inner[5] = TB_C(0.0);
-        return status;
+        return tb_refuse_served_wrench_scale(status, served, inner);
     }
     if (missed[0] > TB_C(0.0)) {
         status = tb_served_wrench_closest(structure, wrench, closest, closer);
         if (status > TB_INFEASIBLE) {
-            served[0] = TB_C(0.0);
-            served[1] = TB_C(0.0);
-            served[2] = TB_C(0.0);
-            served[3] = TB_C(0.0);
-            served[4] = TB_C(0.0);
-            served[5] = TB_C(0.0);
-            inner[0] = TB_C(0.0);
-            inner[1] = TB_C(0.0);
-            inner[2] = TB_C(0.0);
-            inner[3] = TB_C(0.0);
-            inner[4] = TB_C(0.0);
-            inner[5] = TB_C(0.0);
-            return status;
+            return tb_refuse_served_wrench_scale(status, served, inner);
         }
         infeasible = infeasible || status == TB_INFEASIBLE;
     }
@@ -5437,8 +5376,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[48], const real_t
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8], real_t delivered[6], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1])
 {
     return tb_distribute_tension_closest(structure, wrench, tension, delivered, kkt_residual);
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -27,8 +28,8 @@ extern "C" {
  *  At most 40 steps.
  *  Cost, all branches and steps: 19830 add, 23023 mul, 858 div, 252 sqrt, 3751 compare, 20114
  *    select. */
-tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8], real_t delivered[6], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -62,8 +63,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[48], const real_t w
  *  At most 280 steps.
  *  Cost, all branches and steps: 246998 add, 213930 mul, 19898 compare, 228782 select, 5880
  *    div, 2241 sqrt. */
-tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wrench[6], real_t
-    served[6], real_t inner[6]);
+tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wrench[6],
+    real_t served[6], real_t inner[6]);
 
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
@@ -80,8 +81,8 @@ tb_status tb_served_wrench_closest(const real_t structure[48], const real_t wren
  *  Visits 56 subsets of the cables.
  *  Cost, all branches and steps: 258247 add, 226765 mul, 6221 div, 2527 sqrt, 22596 compare,
  *    229973 select. */
-tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench[6], real_t
-    served[6], real_t inner[6]);
+tb_status tb_served_wrench_scale(const real_t structure[48], const real_t wrench[6],
+    real_t served[6], real_t inner[6]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
  *    scaled down to the largest feasible fraction  (Yoon eq. 12).
@@ -129,8 +130,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[48], const real_t
     real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_closest. */
-tb_status tb_distribute_tension(const real_t structure[48], const real_t wrench[6], real_t
-    tension[8], real_t delivered[6], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[48], const real_t wrench[6],
+    real_t tension[8], real_t delivered[6], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

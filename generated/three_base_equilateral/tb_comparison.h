@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -23,8 +24,8 @@ extern "C" {
  *    (worst found 1.9e+03 at structure (0, -1, 0.9109, 1, -0.04561, 0.04153), wrench (8.265,
  *    -9.833)).
  *  Cost, all branches: 35 add, 43 mul, 7 div, 2 sqrt, 5 compare, 9 select. */
-tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3]);
+tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3]);
 
 /** Largest tension of every cable over all directions of a force that the two adjacent cables
  *    bear, T_min = 0  (Brau eqs 14, 17 with adjacent cables only).
@@ -37,8 +38,8 @@ tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], r
  *    found 7.6e+02 at structure (-0.2113, -0.9473, 0.9901, 0.9707, 0.326, -0.3408), force
  *    (11.78)).
  *  Cost, all branches: 9 add, 16 mul, 6 div, 9 compare, 26 select. */
-tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force[1], real_t
-    tension[3]);
+tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force[1],
+    real_t tension[3]);
 
 /** Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of
  *    T_min and above the one of lowest sum; T_max is not looked at  (Brau eqs 6, 7).
@@ -52,8 +53,8 @@ tb_status tb_largest_tensions_eq17(const real_t structure[6], const real_t force
  *    (worst found 1.5e+00 at structure (-0.6339, -0.9974, 0.8072, 0.7834, 0.07713, -0.9968),
  *    wrench (20, 0.3742)).
  *  Cost, all branches: 33 add, 25 mul, 3 div, 6 compare, 25 select. */
-tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3]);
+tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3]);
 
 /** Upper bound of every tension over all directions of a force and all sets of d cables, T_min
  *    = 0: tight for d + 1 cables all around, else far too high  (Brau eq. 12 with |Delta|; 14
@@ -69,8 +70,8 @@ tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wren
  *    (16.53)).
  *  Visits 3 subsets of the cables.
  *  Cost, all branches and steps: 21 add, 49 mul, 13 div, 5 sqrt, 15 compare, 44 select. */
-tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force[1], real_t
-    tension[3]);
+tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force[1],
+    real_t tension[3]);
 
 /** Least T_max with which every force of a size is feasible; exact for any number of cables
  *    (facets of {S T}, in place of Brau eq. 20).
@@ -84,8 +85,8 @@ tb_status tb_largest_tensions_eq12(const real_t structure[6], const real_t force
  *    at structure (0.3575, -1, 1, 1, -0.006363, 0.006344), force (18.84)).
  *  Visits 3 subsets of the cables.
  *  Cost, all branches and steps: 45 add, 60 mul, 10 div, 5 sqrt, 27 compare, 32 select. */
-tb_status tb_largest_tension(const real_t structure[6], const real_t force[1], real_t
-    tension[1]);
+tb_status tb_largest_tension(const real_t structure[6], const real_t force[1],
+    real_t tension[1]);
 
 #ifdef __cplusplus
 }

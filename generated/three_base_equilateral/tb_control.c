@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
@@ -32,17 +33,23 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], const real_t
-    hand_force[2], real_t load[3])
+/* Refuses with a status: load is 3 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[3])
+{
+    load[0] = TB_C(3.0);
+    load[1] = TB_C(3.0);
+    load[2] = TB_C(3.0);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[6], const real_t tension[3],
+    const real_t hand_force[2], real_t load[3])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) <= TB_C(30000.0)
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) <= TB_C(60000.0))) {
-        load[0] = TB_C(3.0);
-        load[1] = TB_C(3.0);
-        load[2] = TB_C(3.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[3] * structure[0] + structure[4] * structure[1];
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -63,10 +70,7 @@ tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], co
     const real_t t13 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t14 = !(t13 < t2 && t13 < t10);
     if (t14) {
-        load[0] = TB_C(3.0);
-        load[1] = TB_C(3.0);
-        load[2] = TB_C(3.0);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;
@@ -101,8 +105,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[6])
     return TB_OK;
 }
 
-tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t
-    measured[6], real_t next_memory[18], real_t force[6])
+tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t measured[6],
+    real_t next_memory[18], real_t force[6])
 {
     const real_t t0 = target[0] - measured[0];
     const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -37,8 +38,8 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  TB_SINGULAR: the cables are parallel.
  *  Error of load: double at most 3.4e-06 N; float at most 1.4e+00 N.
  *  Cost, all branches: 21 add, 28 mul, 2 div, 2 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[6], const real_t tension[3], const real_t
-    hand_force[2], real_t load[3]);
+tb_status tb_load_tension(const real_t structure[6], const real_t tension[3],
+    const real_t hand_force[2], real_t load[3]);
 
 /** Rail coordinates of the orthogonal configuration: the foot of the pose on each rail  (Yoon
  *    section III-B).
@@ -57,8 +58,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[6]);
  *  Error of next_memory: double at most 2.8e-13 N, m, m/s; float at most 1.3e-04 N, m, m/s.
  *  Error of force: double at most 2.0e-12 N; float at most 1.3e-03 N.
  *  Cost, all branches: 42 add, 30 mul, 30 compare, 18 select. */
-tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t
-    measured[6], real_t next_memory[18], real_t force[6]);
+tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const real_t measured[6],
+    real_t next_memory[18], real_t force[6]);
 
 #ifdef __cplusplus
 }

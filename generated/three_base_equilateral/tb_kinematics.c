@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[6], real_t points[6])
@@ -53,15 +54,21 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[6], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[3])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[6], real_t length[3])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -75,10 +82,7 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[6], real_t l
     const bool t6 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t7 = !(t6 && TB_C(0.0001) < length_2);
     if (t7) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -86,18 +90,24 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[6], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[6])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[6], real_t structure[6])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -121,13 +131,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[6], real_
     const bool t9 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t10 = !(t9 && TB_C(0.0001) < length_2);
     if (t10) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -138,18 +142,24 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[6], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[6])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[6], real_t jacobian[6])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -173,13 +183,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[6], real_t
     const bool t9 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t10 = !(t9 && TB_C(0.0001) < length_2);
     if (t10) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -190,8 +194,16 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[6], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6], const real_t
-    length_rates[3], const real_t rail_rates[6], real_t velocity[2])
+/* Refuses with a status: velocity is 0 m/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[2])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6],
+    const real_t length_rates[3], const real_t rail_rates[6], real_t velocity[2])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
@@ -201,9 +213,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6], const re
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
               TB_ABS(rail_rates[3]) + TB_ABS(rail_rates[4]) + TB_ABS(rail_rates[5]) <=
               TB_C(600.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -238,19 +248,22 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6], const re
     const bool t24 = !(t23 && TB_C(0.0001) < length_2);
     const real_t t25 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t26 = !(t25 < t19 && t25 < t22);
-    if (t24) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t26) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t24 || t26) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     return TB_OK;
+}
+
+/* Refuses with a status: pose is 0 m; residual is 0 m. */
+static tb_status tb_refuse_forward_kinematics(tb_status status, real_t pose[2],
+    real_t residual[1])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], real_t pose[2],
@@ -261,10 +274,7 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], 
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(5.6944)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
     const real_t t0 = TB_C(0.7118) - rails[5];
     const real_t t1 = (rails[0] + rails[3] + t0) * TB_C(0.3333333333333333);
@@ -349,17 +359,8 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], 
     const bool t66 = TB_C(0.0001) < distance_0 && TB_C(0.0001) < distance_1;
     const bool t67 = t66 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < t56;
     const bool t68 = !(t67 && TB_C(0.0001) < t59 && TB_C(0.0001) < t62);
-    if (t65) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t68) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t65 || t68) {
+        return tb_refuse_forward_kinematics(TB_SINGULAR, pose, residual);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -367,9 +368,27 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], 
     return TB_OK;
 }
 
-tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
-    length_rates[3], const real_t rail_rates[6], real_t pose[2], real_t residual[1], real_t
-    structure[6], real_t velocity[2])
+/* Refuses with a status: pose is 0 m; residual is 0 m; structure is 0; velocity is 0 m/s. */
+static tb_status tb_refuse_locate(tb_status status, real_t pose[2], real_t residual[1],
+    real_t structure[6], real_t velocity[2])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_locate(const real_t lengths[3], const real_t rails[6],
+    const real_t length_rates[3], const real_t rail_rates[6], real_t pose[2],
+    real_t residual[1], real_t structure[6], real_t velocity[2])
 {
     if (!(lengths[0] >= TB_C(0.0) && lengths[0] <= TB_C(5.6944)
           && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(5.6944)
@@ -381,18 +400,7 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
               TB_ABS(rail_rates[3]) + TB_ABS(rail_rates[4]) + TB_ABS(rail_rates[5]) <=
               TB_C(600.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
     const real_t t0 = TB_C(0.7118) - rails[5];
     const real_t t1 = (rails[0] + rails[3] + t0) * TB_C(0.3333333333333333);
@@ -505,47 +513,8 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
     const bool t83 = !(t82 && TB_C(0.0001) < t59 && TB_C(0.0001) < t62);
     const real_t t84 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t85 = !(t84 < t72 && t84 < t78);
-    if (t80) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t83) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t85) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t80 || t83 || t85) {
+        return tb_refuse_locate(TB_SINGULAR, pose, residual, structure, velocity);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -561,30 +530,36 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_rail_jacobian(tb_status status, real_t jacobian[18])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = TB_C(0.0);
+    jacobian[11] = TB_C(0.0);
+    jacobian[12] = TB_C(0.0);
+    jacobian[13] = TB_C(0.0);
+    jacobian[14] = TB_C(0.0);
+    jacobian[15] = TB_C(0.0);
+    jacobian[16] = TB_C(0.0);
+    jacobian[17] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[6], real_t jacobian[18])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -608,25 +583,7 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[6], real_t j
     const bool t9 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t10 = !(t9 && TB_C(0.0001) < length_2);
     if (t10) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        jacobian[16] = TB_C(0.0);
-        jacobian[17] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;

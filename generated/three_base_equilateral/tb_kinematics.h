@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -79,8 +80,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[6], real_t
  *  TB_SINGULAR: the cables are parallel.
  *  Error of velocity: double at most 9.7e-07 m/s; float at most 1.6e-01 m/s.
  *  Cost, all branches: 31 add, 40 mul, 5 div, 3 sqrt, 5 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6], const real_t
-    length_rates[3], const real_t rail_rates[6], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6],
+    const real_t length_rates[3], const real_t rail_rates[6], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -111,9 +112,9 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], 
  *  Error of structure: double at most 9.2e-10; float at most 4.8e+00.
  *  Error of velocity: double at most 3.3e-06 m/s; float at most 6.6e+00 m/s.
  *  Cost, all branches: 99 add, 108 mul, 12 div, 7 sqrt, 10 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[3], const real_t rails[6], const real_t
-    length_rates[3], const real_t rail_rates[6], real_t pose[2], real_t residual[1], real_t
-    structure[6], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[3], const real_t rails[6],
+    const real_t length_rates[3], const real_t rail_rates[6], real_t pose[2],
+    real_t residual[1], real_t structure[6], real_t velocity[2]);
 
 /** Rail Jacobian dl/ds  (Yoon eq. 3, 20).
  *  pose [m] (2), rails [m] (6)  ->  jacobian [-] (3 x 6)

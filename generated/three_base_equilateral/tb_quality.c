@@ -1,16 +1,23 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+
+/* Refuses with a status: tension is 3 N. */
+static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[3])
+{
+    tension[0] = TB_C(3.0);
+    tension[1] = TB_C(3.0);
+    tension[2] = TB_C(3.0);
+    return status;
+}
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], real_t tension[3])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_zero_wrench_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -115,23 +122,11 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], re
     const real_t t74 = tb_max(TB_C(0.0), TB_ABS(t3 * t67 + t9 * t68 + t15 * t69));
     const real_t t75 = tb_max(t74, TB_ABS(t8 * t67 + t7 * t68 + t14 * t69));
     const bool t76 = !(t24 || t75 <= t43 * (TB_EPSILON * TB_C(1280.0)));
-    if (t71) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        return TB_SINGULAR;
-    }
-    if (t73) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        return TB_SINGULAR;
+    if (t71 || t73) {
+        return tb_refuse_zero_wrench_tension(TB_SINGULAR, tension);
     }
     if (t76) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        return TB_INACCURATE;
+        return tb_refuse_zero_wrench_tension(TB_INACCURATE, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -139,13 +134,19 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], re
     return t24 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: factor is 0. */
+static tb_status tb_refuse_tension_factor(tb_status status, real_t factor[1])
+{
+    factor[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t factor[1])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        factor[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_tension_factor(TB_OUT_OF_DOMAIN, factor);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -252,20 +253,18 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t 
     const bool t69 = !(t68 < t40 && t68 < t41);
     const bool t70 = !(TB_C(0.0) < t65);
     const bool t71 = !t23;
-    if (t67) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t69) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t70) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t67 || t69 || t70) {
+        return tb_refuse_tension_factor(TB_SINGULAR, factor);
     }
     factor[0] = factor_0;
     return t71 ? TB_INFEASIBLE : TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[6], real_t force[1])
@@ -273,8 +272,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[6], real_t
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -309,23 +307,29 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[6], real_t
     const bool t25 = !(t24 && TB_C(0.0001) < length_2);
     const bool t26 = !(TB_C(0.0) <= t23);
     if (t25) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_isotropic_force(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t26 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t margin[1], real_t
-    factor[1], real_t force[1])
+/* Refuses with a status: margin is 0 N; factor is 0; force is 0 N. */
+static tb_status tb_refuse_pose_quality(tb_status status, real_t margin[1], real_t factor[1],
+    real_t force[1])
+{
+    margin[0] = TB_C(0.0);
+    factor[0] = TB_C(0.0);
+    force[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t margin[1],
+    real_t factor[1], real_t force[1])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -541,23 +545,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
     const bool t151 = !(t149 * t149 < t150);
     const bool t152 = !(t28 <= TB_C(0.0));
     const bool t153 = !t27;
-    if (t148) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t151) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t148 || t151) {
+        return tb_refuse_pose_quality(TB_SINGULAR, margin, factor, force);
     }
     if (t152) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_pose_quality(TB_INACCURATE, margin, factor, force);
     }
     margin[0] = margin_0;
     factor[0] = factor_0;
@@ -565,13 +557,19 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
     return t153 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force_eq17(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], real_t force[1])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force_eq17(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -717,13 +715,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], r
     const real_t t107 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t108 = !(t107 < t42 && t107 < t43);
     const bool t109 = !t32;
-    if (t106) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t108) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t106 || t108) {
+        return tb_refuse_isotropic_force_eq17(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t109 ? TB_INFEASIBLE : TB_OK;

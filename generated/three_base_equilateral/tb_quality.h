@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -77,8 +78,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[6], real_t
  *    (0.6109, 0.03192, 0.4358, 0.0009131, 0.3517, 0.04424)); float at most 6.1e-03 N (worst
  *    found 1.5e-03 at pose (0.7117, 0.4002), rails (0.7118, 0, 1.171e-05, 0, 0.4, 5.698e-06)).
  *  Cost, all branches: 97 add, 134 mul, 15 div, 5 sqrt, 28 compare, 97 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t wrench[2])
@@ -20,17 +21,23 @@ tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t w
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6], const real_t
-    wrench[2], real_t share[3])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[3])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6],
+    const real_t wrench[2], real_t share[3])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(60000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
@@ -71,22 +78,25 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6], cons
     const real_t t33 = (t24 * t30 + t26 * t31 + t28 * t32) / t29;
     const real_t t34 = t30 * t30 + t31 * t31 + t32 * t32 - t29 * (t33 * t33);
     const bool t35 = !(t22 < t29 && t22 < t34);
-    if (t21) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t35) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t21 || t35) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;
     share[2] = share_2;
     return TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_rail_forces(tb_status status, real_t force[6])
+{
+    force[0] = TB_C(0.0);
+    force[1] = TB_C(0.0);
+    force[2] = TB_C(0.0);
+    force[3] = TB_C(0.0);
+    force[4] = TB_C(0.0);
+    force[5] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[6], const real_t tension[3],
@@ -96,13 +106,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[6], const real
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) +
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) <= TB_C(30000.0))) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        force[4] = TB_C(0.0);
-        force[5] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_forces(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
@@ -125,13 +129,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[6], const real
     const bool t12 = TB_C(0.0001) < t2 && TB_C(0.0001) < t6 && TB_C(0.0001) < t10;
     const bool t13 = !t12;
     if (t13) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        force[4] = TB_C(0.0);
-        force[5] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_forces(TB_SINGULAR, force);
     }
     force[0] = force_0;
     force[1] = force_1;

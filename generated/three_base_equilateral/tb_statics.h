@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -29,8 +30,8 @@ tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t w
  *  TB_SINGULAR: the cables are parallel.
  *  Error of share: double at most 2.0e-05 N; float at most 2.2e+03 N.
  *  Cost, all branches: 30 add, 42 mul, 6 div, 3 sqrt, 5 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6], const real_t
-    wrench[2], real_t share[3]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6],
+    const real_t wrench[2], real_t share[3]);
 
 /** Force of the cable on its base along the rail, -T_i lhat_i . e_i; the drive must hold it
  *    (Yoon eq. 8, the joint-space force of virtual work).

@@ -1,20 +1,28 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
 
-tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 3 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_least_norm_tension(tb_status status, real_t tension[3],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(3.0);
+    tension[1] = TB_C(3.0);
+    tension[2] = TB_C(3.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(60000.0))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_least_norm_tension(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = TB_SQRT(t0 + structure[2] * structure[2]);
@@ -106,22 +114,10 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     const real_t t57 = tb_min(t30 * (TB_EPSILON * TB_C(1280.0)), TB_C(0.01));
     const bool t58 = !(kkt_residual_0 <= t57);
     if (t56) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_least_norm_tension(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     if (t58) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_least_norm_tension(TB_INACCURATE, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -132,8 +128,8 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     return TB_OK;
 }
 
-tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
@@ -331,8 +327,8 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
     return t23 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2])
+tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
@@ -462,19 +458,26 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
     return t23 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+/* Refuses with a status: tension is 3 N; delivered is 0 N; kkt_residual is 0 N. */
+static tb_status tb_refuse_distribute_tension_paper(tb_status status, real_t tension[3],
+    real_t delivered[2], real_t kkt_residual[1])
+{
+    tension[0] = TB_C(3.0);
+    tension[1] = TB_C(3.0);
+    tension[2] = TB_C(3.0);
+    delivered[0] = TB_C(0.0);
+    delivered[1] = TB_C(0.0);
+    kkt_residual[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(60000.0))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_distribute_tension_paper(TB_OUT_OF_DOMAIN, tension, delivered, kkt_residual);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = TB_SQRT(t0 + structure[2] * structure[2]);
@@ -575,13 +578,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     const bool t65 = !(t64 < t29 && t64 < t30);
     const bool t66 = TB_C(10.0) < t53 || TB_C(10.0) < t54 || TB_C(10.0) < t55;
     if (t65) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        delivered[0] = TB_C(0.0);
-        delivered[1] = TB_C(0.0);
-        kkt_residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -592,8 +589,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     return (t61 || t66) ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     tb_status status = tb_least_norm_tension(structure, wrench, tension, delivered,
         kkt_residual);
@@ -634,8 +631,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
     return status == TB_OK ? verdict : status;
 }
 
-tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1])
+tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1])
 {
     return tb_distribute_tension_scale(structure, wrench, tension, delivered, kkt_residual);
 }

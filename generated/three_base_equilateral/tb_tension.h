@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -31,8 +32,8 @@ extern "C" {
  *    (worst found 8.2e-06 at structure (0.3858, -0.2494, 1, 1, 0.9404, -0.1722), wrench (7.679,
  *    16.56)).
  *  Cost, all branches: 49 add, 56 mul, 8 div, 2 sqrt, 6 compare, 29 select. */
-tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
@@ -49,8 +50,8 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
  *    found 3.2e-05 at structure (-0.6764, -0.7826, -0.2243, -0.3475, -0.7706, -0.9724), wrench
  *    (-20.43, -18.82)).
  *  Cost, all branches: 86 add, 92 mul, 6 div, 31 compare, 55 select. */
-tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** The wrench that is served: an infeasible one is replaced by the nearest feasible one
  *    (facets of the zonotope {S T}).
@@ -67,8 +68,8 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
  *    (worst found 1.1e-03 at structure (1, -0.06833, 0.9993, -0.1513, -1, 0.08945), wrench
  *    (28.25, -11.23)).
  *  Cost, all branches: 62 add, 68 mul, 3 div, 24 compare, 25 select. */
-tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -92,8 +93,8 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
  *    3.5e-02 N (worst found 8.8e-03 at structure (0.3873, -0.9789, 0.9451, 0.9971, 0.2831,
  *    -0.2734), wrench (-1.767, 0)).
  *  Cost, all branches: 55 add, 64 mul, 8 div, 2 sqrt, 9 compare, 38 select. */
-tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
  *    scaled down to the largest feasible fraction  (Yoon eq. 12).
@@ -118,8 +119,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
  *    N (worst found 5.4e-05 at structure (0.4841, 0.6631, 0.693, -0.7661, -0.9662, -1), wrench
  *    (14.1, -29.06)).
  *  Cost, all branches: 233 add, 260 mul, 30 div, 6 sqrt, 49 compare, 142 select. */
-tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension_scale(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench is replaced by the nearest
  *    feasible one  (Yoon eq. 12).
@@ -148,8 +149,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[6], const real_t 
     real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_scale. */
-tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2], real_t
-    tension[3], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[6], const real_t wrench[2],
+    real_t tension[3], real_t delivered[2], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

@@ -1,19 +1,26 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
 
-tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4])
+/* Refuses with a status: tension is 3 N. */
+static tb_status tb_refuse_kernel_tension(tb_status status, real_t tension[4])
+{
+    tension[0] = TB_C(3.0);
+    tension[1] = TB_C(3.0);
+    tension[2] = TB_C(3.0);
+    tension[3] = TB_C(3.0);
+    return status;
+}
+
+tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_kernel_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t1 = t0 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -330,11 +337,7 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], r
     const real_t t201 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t202 = !(t201 < t26 && t201 < t27);
     if (t202) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        return TB_SINGULAR;
+        return tb_refuse_kernel_tension(TB_SINGULAR, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -343,8 +346,8 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], r
     return t200 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tensions_eq17(const real_t structure[8], const real_t force[1], real_t
-    tension[4])
+tb_status tb_largest_tensions_eq17(const real_t structure[8], const real_t force[1],
+    real_t tension[4])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -588,8 +591,8 @@ tb_status tb_largest_tensions_eq17(const real_t structure[8], const real_t force
     return t92 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4])
+tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -706,6 +709,19 @@ tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wren
     return t77 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: most is 0; least is 0; size is 0 N. */
+static tb_status tb_refuse_largest_tensions_eq12_begin(tb_status status, real_t most[4],
+    real_t least[1], real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    most[1] = TB_C(0.0);
+    most[2] = TB_C(0.0);
+    most[3] = TB_C(0.0);
+    least[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
 static tb_status tb_largest_tensions_eq12_begin(const real_t structure[8], const real_t force[1],
     real_t most[4], real_t least[1], real_t size[1])
@@ -714,13 +730,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[8], const
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, most, least, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -736,13 +746,7 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[8], const
     const real_t t11 = TB_COPYSIGN(TB_SQRT(t8 * t8 + t9 * t9 + t10 * t10), t8);
     const bool t12 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t11));
     if (t12) {
-        most[0] = TB_C(0.0);
-        most[1] = TB_C(0.0);
-        most[2] = TB_C(0.0);
-        most[3] = TB_C(0.0);
-        least[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tensions_eq12_begin(TB_SINGULAR, most, least, size);
     }
     most[0] = TB_C(0.0);
     most[1] = TB_C(0.0);
@@ -754,8 +758,8 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[8], const
 }
 
 /* One subset. */
-static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1], const
-    real_t structure[8], real_t most[4], real_t least[1])
+static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const real_t numbers[1],
+    const real_t structure[8], real_t most[4], real_t least[1])
 {
     const bool t0 = numbers[0] == TB_C(0.0);
     const real_t t1 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
@@ -789,8 +793,8 @@ static tb_status tb_largest_tensions_eq12_visit(const real_t chosen[2], const re
 }
 
 /* After the last subset. */
-static tb_status tb_largest_tensions_eq12_finish(const real_t most[4], const real_t least[1], const
-    real_t size[1], real_t tension[4])
+static tb_status tb_largest_tensions_eq12_finish(const real_t most[4], const real_t least[1],
+    const real_t size[1], real_t tension[4])
 {
     const real_t tension_0 = size[0] * most[0];
     const real_t tension_1 = size[0] * most[1];
@@ -812,8 +816,8 @@ static tb_status tb_largest_tensions_eq12_finish(const real_t most[4], const rea
     return TB_OK;
 }
 
-tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force[1], real_t
-    tension[4])
+tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force[1],
+    real_t tension[4])
 {
     static const unsigned char subsets[4][1] = {{0}, {1}, {2}, {3}};
     real_t most[4];
@@ -843,17 +847,24 @@ tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force
     return tb_largest_tensions_eq12_finish(most, least, size, tension);
 }
 
+/* Refuses with a status: most is 0 N; size is 0 N. */
+static tb_status tb_refuse_largest_tension_begin(tb_status status, real_t most[1],
+    real_t size[1])
+{
+    most[0] = TB_C(0.0);
+    size[0] = TB_C(0.0);
+    return status;
+}
+
 /* Before the first subset. */
-static tb_status tb_largest_tension_begin(const real_t structure[8], const real_t force[1], real_t
-    most[1], real_t size[1])
+static tb_status tb_largest_tension_begin(const real_t structure[8], const real_t force[1],
+    real_t most[1], real_t size[1])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, most, size);
     }
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
@@ -869,9 +880,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[8], const real_
     const real_t t11 = TB_COPYSIGN(TB_SQRT(t8 * t8 + t9 * t9 + t10 * t10), t8);
     const bool t12 = !(t0 < TB_ABS(t4) && t0 < TB_ABS(t11));
     if (t12) {
-        most[0] = TB_C(0.0);
-        size[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_largest_tension_begin(TB_SINGULAR, most, size);
     }
     most[0] = TB_C(3.0);
     size[0] = force[0];
@@ -879,8 +888,8 @@ static tb_status tb_largest_tension_begin(const real_t structure[8], const real_
 }
 
 /* One subset. */
-static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1], const
-    real_t structure[8], real_t most[1], const real_t size[1])
+static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t numbers[1],
+    const real_t structure[8], real_t most[1], const real_t size[1])
 {
     const real_t t0 = TB_SQRT(chosen[0] * chosen[0] + chosen[1] * chosen[1]);
     real_t most_0;
@@ -933,8 +942,8 @@ static tb_status tb_largest_tension_finish(const real_t most[1], real_t tension[
     return t1 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_largest_tension(const real_t structure[8], const real_t force[1], real_t
-    tension[1])
+tb_status tb_largest_tension(const real_t structure[8], const real_t force[1],
+    real_t tension[1])
 {
     static const unsigned char subsets[4][1] = {{0}, {1}, {2}, {3}};
     real_t most[1];

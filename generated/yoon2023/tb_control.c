@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
@@ -42,8 +43,18 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
     return TB_OK;
 }
 
-tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
-    hand_force[2], real_t load[4])
+/* Refuses with a status: load is 3 N. */
+static tb_status tb_refuse_load_tension(tb_status status, real_t load[4])
+{
+    load[0] = TB_C(3.0);
+    load[1] = TB_C(3.0);
+    load[2] = TB_C(3.0);
+    load[3] = TB_C(3.0);
+    return status;
+}
+
+tb_status tb_load_tension(const real_t structure[8], const real_t tension[4],
+    const real_t hand_force[2], real_t load[4])
 {
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
@@ -51,11 +62,7 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
               <= TB_C(40000.0)
           && TB_ABS(hand_force[0]) + TB_ABS(hand_force[1]) <= TB_C(80000.0))) {
-        load[0] = TB_C(3.0);
-        load[1] = TB_C(3.0);
-        load[2] = TB_C(3.0);
-        load[3] = TB_C(3.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_load_tension(TB_OUT_OF_DOMAIN, load);
     }
     const real_t t0 = structure[4] * structure[0] + structure[5] * structure[1];
     const real_t t1 = t0 + structure[6] * structure[2] + structure[7] * structure[3];
@@ -80,11 +87,7 @@ tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], co
     const real_t t16 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t17 = !(t16 < t3 && t16 < t13);
     if (t17) {
-        load[0] = TB_C(3.0);
-        load[1] = TB_C(3.0);
-        load[2] = TB_C(3.0);
-        load[3] = TB_C(3.0);
-        return TB_SINGULAR;
+        return tb_refuse_load_tension(TB_SINGULAR, load);
     }
     load[0] = load_0;
     load[1] = load_1;
@@ -111,8 +114,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4])
     return TB_OK;
 }
 
-tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
-    measured[4], real_t next_memory[12], real_t force[4])
+tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t measured[4],
+    real_t next_memory[12], real_t force[4])
 {
     const real_t t0 = target[0] - measured[0];
     const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
@@ -186,8 +189,9 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
     return TB_OK;
 }
 
-tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
-    load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4])
+tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4],
+    const real_t load[4], const real_t applied[4], real_t next_memory[20],
+    real_t disturbance[4])
 {
     const real_t t0 = TB_C(6186.015601338797) * (length[0] - memory[0]);
     const real_t next_memory_1 = TB_C(0.969069921993306) * memory[1] + t0;

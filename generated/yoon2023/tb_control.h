@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -40,8 +41,8 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  TB_SINGULAR: the cables are parallel.
  *  Error of load: double at most 1.2e-11 N; float at most 6.2e-02 N.
  *  Cost, all branches: 28 add, 35 mul, 2 div, 2 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
-    hand_force[2], real_t load[4]);
+tb_status tb_load_tension(const real_t structure[8], const real_t tension[4],
+    const real_t hand_force[2], real_t load[4]);
 
 /** Rail coordinates of the orthogonal configuration: the foot of the pose on each rail  (Yoon
  *    section III-B).
@@ -60,8 +61,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4]);
  *  Error of next_memory: double at most 2.7e-13 N, m, m/s; float at most 1.5e-04 N, m, m/s.
  *  Error of force: double at most 1.4e-12 N; float at most 8.7e-04 N.
  *  Cost, all branches: 28 add, 20 mul, 20 compare, 12 select. */
-tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t
-    measured[4], real_t next_memory[12], real_t force[4]);
+tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const real_t measured[4],
+    real_t next_memory[12], real_t force[4]);
 
 /** Disturbance torque of every cable motor, to be added to its command  (Yoon eq. 24, Fig. 11,
  *    discretised by Tustin's rule).
@@ -72,8 +73,9 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
  *    m, rad/s, N m, N m, N m.
  *  Error of disturbance: double at most 2.5e-16 N m; float at most 1.5e-07 N m.
  *  Cost, all branches: 44 add, 36 mul, 4 compare. */
-tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4], const real_t
-    load[4], const real_t applied[4], real_t next_memory[20], real_t disturbance[4]);
+tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4],
+    const real_t load[4], const real_t applied[4], real_t next_memory[20],
+    real_t disturbance[4]);
 
 #ifdef __cplusplus
 }

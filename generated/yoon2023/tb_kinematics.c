@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
@@ -61,16 +62,22 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[4], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[4])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    length[3] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t length[4])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
@@ -86,11 +93,7 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t l
     const bool t7 = t6 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t8 = !t7;
     if (t8) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -99,20 +102,26 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[8])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_t structure[8])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -141,15 +150,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_
     const bool t11 = t10 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t12 = !t11;
     if (t12) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -162,20 +163,26 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[8])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[8])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -204,15 +211,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
     const bool t11 = t10 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t12 = !t11;
     if (t12) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -225,8 +224,16 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
-    length_rates[4], const real_t rail_rates[4], real_t velocity[2])
+/* Refuses with a status: velocity is 0 m/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[2])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4],
+    const real_t length_rates[4], const real_t rail_rates[4], real_t velocity[2])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
@@ -235,9 +242,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
               TB_ABS(length_rates[3]) <= TB_C(400.0)
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
               TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -279,19 +284,22 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const re
     const bool t30 = !t29;
     const real_t t31 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t32 = !(t31 < t21 && t31 < t27);
-    if (t30) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t32) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t30 || t32) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     return TB_OK;
+}
+
+/* Refuses with a status: pose is 0 m; residual is 0 m. */
+static tb_status tb_refuse_forward_kinematics(tb_status status, real_t pose[2],
+    real_t residual[1])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],
@@ -303,10 +311,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(4.6944)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
     const real_t t0 = (rails[0] + TB_C(0.7118) + rails[2]) * TB_C(0.25);
     const real_t t1 = rails[0] - t0;
@@ -402,17 +407,8 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     const bool t75 = t74 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
     const bool t76 = t75 && TB_C(0.0001) < t62 && TB_C(0.0001) < t65 && TB_C(0.0001) < t68;
     const bool t77 = !(t76 && TB_C(0.0001) < t71);
-    if (t73) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t77) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t73 || t77) {
+        return tb_refuse_forward_kinematics(TB_SINGULAR, pose, residual);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -420,9 +416,29 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     return TB_OK;
 }
 
-tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
-    length_rates[4], const real_t rail_rates[4], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2])
+/* Refuses with a status: pose is 0 m; residual is 0 m; structure is 0; velocity is 0 m/s. */
+static tb_status tb_refuse_locate(tb_status status, real_t pose[2], real_t residual[1],
+    real_t structure[8], real_t velocity[2])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_locate(const real_t lengths[4], const real_t rails[4],
+    const real_t length_rates[4], const real_t rail_rates[4], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2])
 {
     if (!(lengths[0] >= TB_C(0.0) && lengths[0] <= TB_C(4.6944)
           && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(4.6944)
@@ -434,20 +450,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
               TB_ABS(length_rates[3]) <= TB_C(400.0)
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) + TB_ABS(rail_rates[2]) +
               TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
     const real_t t0 = (rails[0] + TB_C(0.7118) + rails[2]) * TB_C(0.25);
     const real_t t1 = rails[0] - t0;
@@ -576,53 +579,8 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
     const bool t97 = !(t96 && TB_C(0.0001) < t71);
     const real_t t98 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t99 = !(t98 < t85 && t98 < t91);
-    if (t93) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t97) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t99) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t93 || t97 || t99) {
+        return tb_refuse_locate(TB_SINGULAR, pose, residual, structure, velocity);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -640,28 +598,34 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_rail_jacobian(tb_status status, real_t jacobian[16])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    jacobian[8] = TB_C(0.0);
+    jacobian[9] = TB_C(0.0);
+    jacobian[10] = TB_C(0.0);
+    jacobian[11] = TB_C(0.0);
+    jacobian[12] = TB_C(0.0);
+    jacobian[13] = TB_C(0.0);
+    jacobian[14] = TB_C(0.0);
+    jacobian[15] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t jacobian[16])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -682,23 +646,7 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t j
     const bool t7 = t6 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t8 = !t7;
     if (t8) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        jacobian[8] = TB_C(0.0);
-        jacobian[9] = TB_C(0.0);
-        jacobian[10] = TB_C(0.0);
-        jacobian[11] = TB_C(0.0);
-        jacobian[12] = TB_C(0.0);
-        jacobian[13] = TB_C(0.0);
-        jacobian[14] = TB_C(0.0);
-        jacobian[15] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = TB_C(0.0);

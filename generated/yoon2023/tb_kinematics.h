@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -74,8 +75,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
  *  TB_SINGULAR: the cables are parallel.
  *  Error of velocity: double at most 4.3e-12 m/s; float at most 8.9e-03 m/s.
  *  Cost, all branches: 33 add, 47 mul, 6 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4], const real_t
-    length_rates[4], const real_t rail_rates[4], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4],
+    const real_t length_rates[4], const real_t rail_rates[4], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -112,9 +113,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
  *  Error of structure: double at most 4.8e-11; float at most 2.1e-03.
  *  Error of velocity: double at most 6.8e-07 m/s; float at most 4.1e-02 m/s.
  *  Cost, all branches: 121 add, 131 mul, 14 div, 9 sqrt, 12 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[4], const real_t rails[4], const real_t
-    length_rates[4], const real_t rail_rates[4], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[4], const real_t rails[4],
+    const real_t length_rates[4], const real_t rail_rates[4], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2]);
 
 /** Rail Jacobian dl/ds  (Yoon eq. 3, 20).
  *  pose [m] (2), rails [m] (4)  ->  jacobian [-] (4 x 4)

@@ -1,17 +1,24 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+
+/* Refuses with a status: tension is 3 N. */
+static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[4])
+{
+    tension[0] = TB_C(3.0);
+    tension[1] = TB_C(3.0);
+    tension[2] = TB_C(3.0);
+    tension[3] = TB_C(3.0);
+    return status;
+}
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], real_t tension[4])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_zero_wrench_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -321,26 +328,11 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     const real_t t201 = TB_ABS(t6 * t192 - t7 * t191 + t13 * t193 + t18 * t194);
     const bool t202 = tb_max(tb_max(t149, t200), t201) <= t44 * (TB_EPSILON * TB_C(1280.0));
     const bool t203 = !(t31 || t202);
-    if (t197) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        return TB_SINGULAR;
-    }
-    if (t199) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        return TB_SINGULAR;
+    if (t197 || t199) {
+        return tb_refuse_zero_wrench_tension(TB_SINGULAR, tension);
     }
     if (t203) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        return TB_INACCURATE;
+        return tb_refuse_zero_wrench_tension(TB_INACCURATE, tension);
     }
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -349,13 +341,19 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[4], re
     return t31 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: factor is 0. */
+static tb_status tb_refuse_tension_factor(tb_status status, real_t factor[1])
+{
+    factor[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t factor[1])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        factor[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_tension_factor(TB_OUT_OF_DOMAIN, factor);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -596,20 +594,18 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[4], real_t 
     const bool t160 = !(t159 < t33 && t159 < t42);
     const bool t161 = !(TB_C(0.0) < t154);
     const bool t162 = !t30;
-    if (t158) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t160) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t161) {
-        factor[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t158 || t160 || t161) {
+        return tb_refuse_tension_factor(TB_SINGULAR, factor);
     }
     factor[0] = factor_0;
     return t162 ? TB_INFEASIBLE : TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t force[1])
@@ -617,8 +613,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -662,23 +657,29 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
     const bool t33 = !t32;
     const bool t34 = !(TB_C(0.0) <= t30);
     if (t33) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_isotropic_force(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t34 ? TB_INFEASIBLE : TB_OK;
 }
 
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1], real_t
-    factor[1], real_t force[1])
+/* Refuses with a status: margin is 0 N; factor is 0; force is 0 N. */
+static tb_status tb_refuse_pose_quality(tb_status status, real_t margin[1], real_t factor[1],
+    real_t force[1])
+{
+    margin[0] = TB_C(0.0);
+    factor[0] = TB_C(0.0);
+    force[0] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1],
+    real_t factor[1], real_t force[1])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -1146,23 +1147,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t ma
     const bool t301 = !(t299 * t299 < (t300 + t33 * t33) * TB_C(0.5));
     const bool t302 = !(t39 <= TB_C(0.0));
     const bool t303 = !t38;
-    if (t298) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t301) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t298 || t301) {
+        return tb_refuse_pose_quality(TB_SINGULAR, margin, factor, force);
     }
     if (t302) {
-        margin[0] = TB_C(0.0);
-        factor[0] = TB_C(0.0);
-        force[0] = TB_C(0.0);
-        return TB_INACCURATE;
+        return tb_refuse_pose_quality(TB_INACCURATE, margin, factor, force);
     }
     margin[0] = margin_0;
     factor[0] = factor_0;
@@ -1170,13 +1159,19 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t ma
     return t303 ? TB_INFEASIBLE : TB_OK;
 }
 
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_isotropic_force_eq17(tb_status status, real_t force[1])
+{
+    force[0] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], real_t force[1])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944))) {
-        force[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_isotropic_force_eq17(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -1497,13 +1492,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[4], r
     const real_t t226 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t227 = !(t226 < t43 && t226 < t52);
     const bool t228 = !t40;
-    if (t225) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t227) {
-        force[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t225 || t227) {
+        return tb_refuse_isotropic_force_eq17(TB_SINGULAR, force);
     }
     force[0] = force_0;
     return t228 ? TB_INFEASIBLE : TB_OK;

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -75,8 +76,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
  *    rails (0.2244, 0.2827, 0.2232, 0.4534)); float at most 1.4e-03 N (worst found 3.5e-04 at
  *    pose (0.7116, 0.008881), rails (0.7115, 0.008615, 0.6877, 0.003297)).
  *  Cost, all branches: 197 add, 259 mul, 23 div, 6 sqrt, 65 compare, 202 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
@@ -22,18 +23,24 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4], const real_t
-    wrench[2], real_t share[4])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[4])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    share[3] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4],
+    const real_t wrench[2], real_t share[4])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) + TB_ABS(rails[2]) + TB_ABS(rails[3]) <=
               TB_C(5.6944)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
@@ -83,25 +90,24 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4], cons
     const real_t t40 = (t30 * t37 - t28 * t36 + t32 * t38 - t34 * t39) / t35;
     const real_t t41 = t36 * t36 + t37 * t37 + t38 * t38 + t39 * t39 - t35 * (t40 * t40);
     const bool t42 = !(t26 < t35 && t26 < t41);
-    if (t25) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t42) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t25 || t42) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;
     share[2] = share_2;
     share[3] = share_3;
     return TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_rail_forces(tb_status status, real_t force[4])
+{
+    force[0] = TB_C(0.0);
+    force[1] = TB_C(0.0);
+    force[2] = TB_C(0.0);
+    force[3] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real_t tension[4],
@@ -112,11 +118,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real
               TB_C(5.6944)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
               <= TB_C(40000.0))) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_forces(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
@@ -135,11 +137,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real
     const bool t10 = TB_C(0.0001) < t1 && TB_C(0.0001) < t4 && TB_C(0.0001) < t7;
     const bool t11 = !(t10 && TB_C(0.0001) < t9);
     if (t11) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        force[2] = TB_C(0.0);
-        force[3] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_forces(TB_SINGULAR, force);
     }
     force[0] = force_0;
     force[1] = force_1;

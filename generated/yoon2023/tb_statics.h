@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -32,8 +33,8 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *    N (worst found 5.2e-03 at pose (0.008391, 0.004153), rails (0.01879, 0.4219, 0.7118,
  *    0.03505), wrench (12.43, -6.245)).
  *  Cost, all branches: 36 add, 53 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4], const real_t
-    wrench[2], real_t share[4]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4],
+    const real_t wrench[2], real_t share[4]);
 
 /** Force of the cable on its base along the rail, -T_i lhat_i . e_i; the drive must hold it
  *    (Yoon eq. 8, the joint-space force of virtual work).

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 
@@ -38,8 +39,8 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
  *  TB_SINGULAR: the cables are parallel.
  *  Error of load: double at most 3.9e-14 N; float at most 2.1e-05 N.
  *  Cost, all branches: 28 add, 35 mul, 2 div, 2 compare, 1 select. */
-tb_status tb_load_tension(const real_t structure[8], const real_t tension[4], const real_t
-    hand_force[2], real_t load[4]);
+tb_status tb_load_tension(const real_t structure[8], const real_t tension[4],
+    const real_t hand_force[2], real_t load[4]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
@@ -45,15 +46,21 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     return TB_OK;
 }
 
+/* Refuses with a status: length is 0 m. */
+static tb_status tb_refuse_cable_lengths(tb_status status, real_t length[4])
+{
+    length[0] = TB_C(0.0);
+    length[1] = TB_C(0.0);
+    length[2] = TB_C(0.0);
+    length[3] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t length[4])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.024))) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -69,11 +76,7 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     const bool t7 = t6 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t8 = !t7;
     if (t8) {
-        length[0] = TB_C(0.0);
-        length[1] = TB_C(0.0);
-        length[2] = TB_C(0.0);
-        length[3] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_cable_lengths(TB_SINGULAR, length);
     }
     length[0] = length_0;
     length[1] = length_1;
@@ -82,19 +85,25 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     return TB_OK;
 }
 
+/* Refuses with a status: structure is 0. */
+static tb_status tb_refuse_structure_matrix(tb_status status, real_t structure[8])
+{
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_t structure[8])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.024))) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -123,15 +132,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const bool t11 = t10 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t12 = !t11;
     if (t12) {
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_structure_matrix(TB_SINGULAR, structure);
     }
     structure[0] = structure_0;
     structure[1] = structure_1;
@@ -144,19 +145,25 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     return TB_OK;
 }
 
+/* Refuses with a status: jacobian is 0. */
+static tb_status tb_refuse_length_jacobian(tb_status status, real_t jacobian[8])
+{
+    jacobian[0] = TB_C(0.0);
+    jacobian[1] = TB_C(0.0);
+    jacobian[2] = TB_C(0.0);
+    jacobian[3] = TB_C(0.0);
+    jacobian[4] = TB_C(0.0);
+    jacobian[5] = TB_C(0.0);
+    jacobian[6] = TB_C(0.0);
+    jacobian[7] = TB_C(0.0);
+    return status;
+}
+
 tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t jacobian[8])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.024))) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
@@ -185,15 +192,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const bool t11 = t10 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t12 = !t11;
     if (t12) {
-        jacobian[0] = TB_C(0.0);
-        jacobian[1] = TB_C(0.0);
-        jacobian[2] = TB_C(0.0);
-        jacobian[3] = TB_C(0.0);
-        jacobian[4] = TB_C(0.0);
-        jacobian[5] = TB_C(0.0);
-        jacobian[6] = TB_C(0.0);
-        jacobian[7] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_length_jacobian(TB_SINGULAR, jacobian);
     }
     jacobian[0] = jacobian_0;
     jacobian[1] = jacobian_1;
@@ -206,17 +205,23 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     return TB_OK;
 }
 
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t velocity[2])
+/* Refuses with a status: velocity is 0 m/s. */
+static tb_status tb_refuse_task_velocity(tb_status status, real_t velocity[2])
+{
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[2])
 {
     (void)rails;
     (void)rail_rates;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.024)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = TB_C(0.506) - pose[0];
     const real_t t1 = t0 * t0;
@@ -255,19 +260,22 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const re
     const bool t27 = !t26;
     const real_t t28 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const bool t29 = !(t28 < t16 && t28 < t24);
-    if (t27) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t29) {
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t27 || t29) {
+        return tb_refuse_task_velocity(TB_SINGULAR, velocity);
     }
     velocity[0] = velocity_0;
     velocity[1] = velocity_1;
     return TB_OK;
+}
+
+/* Refuses with a status: pose is 0 m; residual is 0 m. */
+static tb_status tb_refuse_forward_kinematics(tb_status status, real_t pose[2],
+    real_t residual[1])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
@@ -278,10 +286,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
           && lengths[1] >= TB_C(0.0) && lengths[1] <= TB_C(3.16)
           && lengths[2] >= TB_C(0.0) && lengths[2] <= TB_C(3.16)
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(3.16))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
     const real_t t0 = TB_C(0.084173) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.084173) - lengths[1] * lengths[1];
@@ -359,17 +364,8 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const bool t57 = t56 && TB_C(0.0001) < distance_2 && TB_C(0.0001) < distance_3;
     const bool t58 = t57 && TB_C(0.0001) < t44 && TB_C(0.0001) < t47 && TB_C(0.0001) < t50;
     const bool t59 = !(t58 && TB_C(0.0001) < t52);
-    if (t55) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t59) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t55 || t59) {
+        return tb_refuse_forward_kinematics(TB_SINGULAR, pose, residual);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;
@@ -377,9 +373,29 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     return TB_OK;
 }
 
-tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2])
+/* Refuses with a status: pose is 0 m; residual is 0 m; structure is 0; velocity is 0 m/s. */
+static tb_status tb_refuse_locate(tb_status status, real_t pose[2], real_t residual[1],
+    real_t structure[8], real_t velocity[2])
+{
+    pose[0] = TB_C(0.0);
+    pose[1] = TB_C(0.0);
+    residual[0] = TB_C(0.0);
+    structure[0] = TB_C(0.0);
+    structure[1] = TB_C(0.0);
+    structure[2] = TB_C(0.0);
+    structure[3] = TB_C(0.0);
+    structure[4] = TB_C(0.0);
+    structure[5] = TB_C(0.0);
+    structure[6] = TB_C(0.0);
+    structure[7] = TB_C(0.0);
+    velocity[0] = TB_C(0.0);
+    velocity[1] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2])
 {
     (void)rails;
     (void)rail_rates;
@@ -389,20 +405,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
           && lengths[3] >= TB_C(0.0) && lengths[3] <= TB_C(3.16)
           && TB_ABS(length_rates[0]) + TB_ABS(length_rates[1]) + TB_ABS(length_rates[2]) +
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
     const real_t t0 = TB_C(0.084173) - lengths[0] * lengths[0];
     const real_t t1 = TB_C(0.084173) - lengths[1] * lengths[1];
@@ -512,53 +515,8 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
     const bool t78 = !(t77 && TB_C(0.0001) < t52);
     const real_t t79 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t80 = !(t79 < t64 && t79 < t71);
-    if (t74) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t78) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t80) {
-        pose[0] = TB_C(0.0);
-        pose[1] = TB_C(0.0);
-        residual[0] = TB_C(0.0);
-        structure[0] = TB_C(0.0);
-        structure[1] = TB_C(0.0);
-        structure[2] = TB_C(0.0);
-        structure[3] = TB_C(0.0);
-        structure[4] = TB_C(0.0);
-        structure[5] = TB_C(0.0);
-        structure[6] = TB_C(0.0);
-        structure[7] = TB_C(0.0);
-        velocity[0] = TB_C(0.0);
-        velocity[1] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t74 || t78 || t80) {
+        return tb_refuse_locate(TB_SINGULAR, pose, residual, structure, velocity);
     }
     pose[0] = pose_0;
     pose[1] = pose_1;

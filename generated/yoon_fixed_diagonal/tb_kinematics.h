@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -64,8 +65,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
  *    length_rates (-0.5268, -0.9826, 0.9889, 0.9045)); float at most 3.6e-04 m/s (worst found
  *    8.9e-05 at pose (0.506, 0.0001036), length_rates (0.3067, -0.6861, -0.9997, 0.7742)).
  *  Cost, all branches: 25 add, 39 mul, 6 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -109,9 +110,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *    (worst found 3.2e-04 at lengths (0.5803, 0.2844, 0.01282, 0.5062), length_rates (-0.8533,
  *    1, -0.2307, -1)).
  *  Cost, all branches: 85 add, 100 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2]);
 
 #ifdef __cplusplus
 }

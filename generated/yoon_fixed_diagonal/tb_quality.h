@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -65,8 +66,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
  *  Error of force: double at most 2.0e-14 N (worst found 5.1e-15 at pose (0.04522, 0.1449));
  *    float at most 3.7e-03 N (worst found 9.3e-04 at pose (0.5059, 0.2839)).
  *  Cost, all branches: 198 add, 255 mul, 23 div, 6 sqrt, 65 compare, 202 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

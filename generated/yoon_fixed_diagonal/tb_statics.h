@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -30,8 +31,8 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *    wrench (-26.19, -16.54)); float at most 4.1e-05 N (worst found 1.0e-05 at pose (0.005639,
  *    0.005797), wrench (21.49, -15.04)).
  *  Cost, all branches: 32 add, 46 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[4]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[4]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 
@@ -20,8 +21,8 @@ extern "C" {
  *  TB_INFEASIBLE: there is no solution, and every cable holds T_min.
  *  Error of tension: double at most 1.2e-02 N; float at most 7.3e+02 N.
  *  Cost, all branches: 138 add, 158 mul, 17 div, 2 sqrt, 36 compare, 119 select. */
-tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4]);
+tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4]);
 
 /** Largest tension of every cable over all directions of a force that the two adjacent cables
  *    bear, T_min = 0  (Brau eqs 14, 17 with adjacent cables only).
@@ -31,8 +32,8 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2], r
  *  TB_INFEASIBLE: half the plane has no cable; 0.
  *  Error of tension: double at most 5.2e-05 N; float at most 2.1e+03 N.
  *  Cost, all branches: 18 add, 29 mul, 12 div, 18 compare, 51 select. */
-tb_status tb_largest_tensions_eq17(const real_t structure[8], const real_t force[1], real_t
-    tension[4]);
+tb_status tb_largest_tensions_eq17(const real_t structure[8], const real_t force[1],
+    real_t tension[4]);
 
 /** Tensions of d cables that exert a wrench, T_min in the others: of all sets with tensions of
  *    T_min and above the one of lowest sum; T_max is not looked at  (Brau eqs 6, 7).
@@ -43,8 +44,8 @@ tb_status tb_largest_tensions_eq17(const real_t structure[8], const real_t force
  *    holds T_min.
  *  Error of tension: double at most 3.1e-05 N; float at most 1.0e+01 N.
  *  Cost, all branches: 58 add, 42 mul, 6 div, 12 compare, 53 select. */
-tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4]);
+tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4]);
 
 /** Upper bound of every tension over all directions of a force and all sets of d cables, T_min
  *    = 0: tight for d + 1 cables all around, else far too high  (Brau eq. 12 with |Delta|; 14
@@ -57,8 +58,8 @@ tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wren
  *  Error of tension: double at most 6.2e-04 N; float at most 1.1e+01 N.
  *  Visits 4 subsets of the cables.
  *  Cost, all branches and steps: 33 add, 74 mul, 21 div, 6 sqrt, 23 compare, 74 select. */
-tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force[1], real_t
-    tension[4]);
+tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force[1],
+    real_t tension[4]);
 
 /** Least T_max with which every force of a size is feasible; exact for any number of cables
  *    (facets of {S T}, in place of Brau eq. 20).
@@ -70,8 +71,8 @@ tb_status tb_largest_tensions_eq12(const real_t structure[8], const real_t force
  *  Error of tension: double at most 7.4e-04 N; float at most 2.6e+04 N.
  *  Visits 4 subsets of the cables.
  *  Cost, all branches and steps: 73 add, 89 mul, 13 div, 6 sqrt, 39 compare, 46 select. */
-tb_status tb_largest_tension(const real_t structure[8], const real_t force[1], real_t
-    tension[1]);
+tb_status tb_largest_tension(const real_t structure[8], const real_t force[1],
+    real_t tension[1]);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -64,8 +65,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
  *    length_rates (-0.9993, -0.03762, 1, -0.7981)); float at most 4.0e-04 m/s (worst found
  *    9.9e-05 at pose (0.506, 0.1419), length_rates (-0.5917, 0.25, -1, -0.8816)).
  *  Cost, all branches: 27 add, 41 mul, 6 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -109,9 +110,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
  *    most 8.9e-04 m/s (worst found 2.2e-04 at lengths (0.2898, 0, 0.2904, 0.5064), length_rates
  *    (-1, 0.3513, 0.1271, -0.434)).
  *  Cost, all branches: 81 add, 100 mul, 12 div, 9 sqrt, 12 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[4], const real_t rails[1], const real_t
-    length_rates[4], const real_t rail_rates[1], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
+    const real_t length_rates[4], const real_t rail_rates[1], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2]);
 
 #ifdef __cplusplus
 }

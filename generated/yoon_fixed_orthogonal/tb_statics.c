@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
@@ -22,17 +23,23 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[4])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[4])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    share[3] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[4])
 {
     (void)rails;
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.024)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = TB_C(0.253) - pose[0];
     const real_t t1 = t0 * t0;
@@ -79,19 +86,8 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], cons
     const real_t t37 = (t27 * t34 - t25 * t33 + t29 * t35 - t31 * t36) / t32;
     const real_t t38 = t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36 - t32 * (t37 * t37);
     const bool t39 = !(t23 < t32 && t23 < t38);
-    if (t22) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t39) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t22 || t39) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;

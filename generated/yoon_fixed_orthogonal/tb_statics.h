@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -30,8 +31,8 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *    wrench (17.57, -27.68)); float at most 1.2e-04 N (worst found 3.0e-05 at pose (0.001916,
  *    0.2819), wrench (30.19, 20.62)).
  *  Cost, all branches: 34 add, 49 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1], const real_t
-    wrench[2], real_t share[4]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
+    const real_t wrench[2], real_t share[4]);
 
 #ifdef __cplusplus
 }

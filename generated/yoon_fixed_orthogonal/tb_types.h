@@ -1,11 +1,14 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+
+#define TB_VERSION 200 /* Turnbuckle 0.2.0; the runtime must be of the same */
 
 /* Options of the compiler that let it reckon as if there were no NaN, which would take every guard
  * away without a word, or that change bits. Not all of them can be seen here: docs/targets.md. */

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
@@ -74,8 +75,8 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[2], real_t
  *  TB_SINGULAR: the cables are parallel.
  *  Error of velocity: double at most 6.9e-15 m/s; float at most 7.5e-04 m/s.
  *  Cost, all branches: 31 add, 45 mul, 6 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_task_velocity(const real_t pose[2], const real_t rails[2], const real_t
-    length_rates[4], const real_t rail_rates[2], real_t velocity[2]);
+tb_status tb_task_velocity(const real_t pose[2], const real_t rails[2],
+    const real_t length_rates[4], const real_t rail_rates[2], real_t velocity[2]);
 
 /** Pose from lengths: closed form, then one Gauss-Newton step on the least-squares misfit
  *    (Yoon eq. 19).
@@ -110,9 +111,9 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[2], 
  *  Error of structure: double at most 1.8e-12; float at most 1.6e-03.
  *  Error of velocity: double at most 2.6e-12 m/s; float at most 1.6e-03 m/s.
  *  Cost, all branches: 115 add, 125 mul, 14 div, 9 sqrt, 12 compare, 2 select. */
-tb_status tb_locate(const real_t lengths[4], const real_t rails[2], const real_t
-    length_rates[4], const real_t rail_rates[2], real_t pose[2], real_t residual[1], real_t
-    structure[8], real_t velocity[2]);
+tb_status tb_locate(const real_t lengths[4], const real_t rails[2],
+    const real_t length_rates[4], const real_t rail_rates[2], real_t pose[2],
+    real_t residual[1], real_t structure[8], real_t velocity[2]);
 
 /** Rail Jacobian dl/ds  (Yoon eq. 3, 20).
  *  pose [m] (2), rails [m] (2)  ->  jacobian [-] (4 x 2)

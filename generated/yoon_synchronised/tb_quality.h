@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 
@@ -75,8 +76,8 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[2], real_t
  *    rails (0.3559, 0.1976)); float at most 3.2e-03 N (worst found 7.9e-04 at pose (0.7117,
  *    0.2306), rails (0.7111, 0.2306)).
  *  Cost, all branches: 195 add, 257 mul, 23 div, 6 sqrt, 65 compare, 202 select. */
-tb_status tb_pose_quality(const real_t pose[2], const real_t rails[2], real_t margin[1], real_t
-    factor[1], real_t force[1]);
+tb_status tb_pose_quality(const real_t pose[2], const real_t rails[2], real_t margin[1],
+    real_t factor[1], real_t force[1]);
 
 /** Isotropic force as published: a circle in the parallelograms of adjacent cables  (Yoon eq.
  *    17; a lower bound of the true isotropic force).

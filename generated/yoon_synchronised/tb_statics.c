@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
@@ -22,17 +23,23 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
     return TB_OK;
 }
 
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[2], const real_t
-    wrench[2], real_t share[4])
+/* Refuses with a status: share is 0 N. */
+static tb_status tb_refuse_wrench_share_eq10(tb_status status, real_t share[4])
+{
+    share[0] = TB_C(0.0);
+    share[1] = TB_C(0.0);
+    share[2] = TB_C(0.0);
+    share[3] = TB_C(0.0);
+    return status;
+}
+
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[2],
+    const real_t wrench[2], real_t share[4])
 {
     if (!(TB_ABS(pose[0]) + TB_ABS(pose[1]) <= TB_C(2.8472)
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) <= TB_C(2.8472)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
@@ -79,25 +86,22 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[2], cons
     const real_t t37 = (t27 * t34 - t25 * t33 + t29 * t35 - t31 * t36) / t32;
     const real_t t38 = t33 * t33 + t34 * t34 + t35 * t35 + t36 * t36 - t32 * (t37 * t37);
     const bool t39 = !(t23 < t32 && t23 < t38);
-    if (t22) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
-    }
-    if (t39) {
-        share[0] = TB_C(0.0);
-        share[1] = TB_C(0.0);
-        share[2] = TB_C(0.0);
-        share[3] = TB_C(0.0);
-        return TB_SINGULAR;
+    if (t22 || t39) {
+        return tb_refuse_wrench_share_eq10(TB_SINGULAR, share);
     }
     share[0] = share_0;
     share[1] = share_1;
     share[2] = share_2;
     share[3] = share_3;
     return TB_OK;
+}
+
+/* Refuses with a status: force is 0 N. */
+static tb_status tb_refuse_rail_forces(tb_status status, real_t force[2])
+{
+    force[0] = TB_C(0.0);
+    force[1] = TB_C(0.0);
+    return status;
 }
 
 tb_status tb_rail_forces(const real_t pose[2], const real_t rails[2], const real_t tension[4],
@@ -107,9 +111,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[2], const real
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) <= TB_C(2.8472)
           && TB_ABS(tension[0]) + TB_ABS(tension[1]) + TB_ABS(tension[2]) + TB_ABS(tension[3])
               <= TB_C(40000.0))) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        return TB_OUT_OF_DOMAIN;
+        return tb_refuse_rail_forces(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
@@ -126,9 +128,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[2], const real
     const bool t10 = TB_C(0.0001) < t2 && TB_C(0.0001) < t8 && TB_C(0.0001) < t4;
     const bool t11 = !(t10 && TB_C(0.0001) < t9);
     if (t11) {
-        force[0] = TB_C(0.0);
-        force[1] = TB_C(0.0);
-        return TB_SINGULAR;
+        return tb_refuse_rail_forces(TB_SINGULAR, force);
     }
     force[0] = force_0;
     force[1] = force_1;

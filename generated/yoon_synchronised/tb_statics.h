@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_STATICS_H
 #define TB_STATICS_H
 
@@ -31,8 +32,8 @@ tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t w
  *    rails (0.04879, 0.3309), wrench (-4.124, -27.6)); float at most 8.3e-05 N (worst found
  *    2.1e-05 at pose (0.01676, 0.441), rails (0.7118, 0.2954), wrench (-19.95, -21.01)).
  *  Cost, all branches: 34 add, 49 mul, 7 div, 4 sqrt, 6 compare, 1 select. */
-tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[2], const real_t
-    wrench[2], real_t share[4]);
+tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[2],
+    const real_t wrench[2], real_t share[4]);
 
 /** Force of the cable on its base along the rail, -T_i lhat_i . e_i; the drive must hold it
  *    (Yoon eq. 8, the joint-space force of virtual work).

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 
@@ -24,8 +25,8 @@ extern "C" {
  *  Error of delivered: double at most 5.0e-14 N; float at most 2.4e-05 N.
  *  Error of kkt_residual: double at most 5.0e-14 N; float at most 2.4e-05 N.
  *  Cost, all branches: 118 add, 133 mul, 12 div, 1 sqrt, 15 compare, 114 select. */
-tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds that exert a wrench  (Yoon eq. 12).
  *  structure [-] (2 x 4), wrench [N] (2)  ->  tension [N] (4), delivered [N] (2), kkt_residual
@@ -39,8 +40,8 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
  *  Error of delivered: double at most 7.7e-14 N; float at most 4.6e-05 N.
  *  Error of kkt_residual: double at most 7.7e-14 N; float at most 4.6e-05 N.
  *  Cost, all branches: 136 add, 156 mul, 17 div, 2 sqrt, 36 compare, 112 select. */
-tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
 /** The wrench that is served: an infeasible one keeps its direction and is scaled down to the
  *    largest feasible fraction  (facets of the zonotope {S T}).
@@ -51,8 +52,8 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
  *  Error of served: double at most 3.1e-13 N; float at most 1.7e-02 N.
  *  Error of inner: double at most 3.0e-13 N; float at most 1.7e-02 N.
  *  Cost, all branches: 130 add, 135 mul, 8 div, 49 compare, 76 select. */
-tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** The wrench that is served: an infeasible one is replaced by the nearest feasible one
  *    (facets of the zonotope {S T}).
@@ -63,8 +64,8 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
  *  Error of served: double at most 3.0e-14 N; float at most 2.3e-02 N.
  *  Error of inner: double at most 3.3e-14 N; float at most 2.3e-02 N.
  *  Cost, all branches: 98 add, 104 mul, 4 div, 40 compare, 37 select. */
-tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrench[2], real_t
-    served[2], real_t inner[2]);
+tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrench[2],
+    real_t served[2], real_t inner[2]);
 
 /** Tensions of least norm above T_min, then clipped to T_max, which changes the wrench  (Yoon
  *    eq. 22, 23).
@@ -79,8 +80,8 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
  *  Error of delivered: double at most 3.6e-12 N; float at most 3.4e-03 N.
  *  Error of kkt_residual: double at most 2.5e-09 N; float at most 4.0e-02 N.
  *  Cost, all branches: 144 add, 166 mul, 17 div, 2 sqrt, 40 compare, 124 select. */
-tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench keeps its direction and is
  *    scaled down to the largest feasible fraction  (Yoon eq. 12).
@@ -96,8 +97,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
  *  Error of delivered: double at most 7.5e-14 N; float at most 3.1e-03 N.
  *  Error of kkt_residual: double at most 8.0e-14 N; float at most 3.6e-05 N.
  *  Cost, all branches: 756 add, 846 mul, 78 div, 7 sqrt, 166 compare, 642 select. */
-tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension_scale(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
 /** Tensions of least norm within their bounds; an infeasible wrench is replaced by the nearest
  *    feasible one  (Yoon eq. 12).
@@ -117,8 +118,8 @@ tb_status tb_distribute_tension_closest(const real_t structure[8], const real_t 
     real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
 /** What the machine file chooses for an infeasible wrench: tb_distribute_tension_scale. */
-tb_status tb_distribute_tension(const real_t structure[8], const real_t wrench[2], real_t
-    tension[4], real_t delivered[2], real_t kkt_residual[1]);
+tb_status tb_distribute_tension(const real_t structure[8], const real_t wrench[2],
+    real_t tension[4], real_t delivered[2], real_t kkt_residual[1]);
 
 #ifdef __cplusplus
 }

@@ -1,11 +1,14 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+
+#define TB_VERSION 200 /* Turnbuckle 0.2.0; the runtime must be of the same */
 
 /* Options of the compiler that let it reckon as if there were no NaN, which would take every guard
  * away without a word, or that change bits. Not all of them can be seen here: docs/targets.md. */

@@ -6,6 +6,10 @@
 #include <limits.h>
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** A file that is being written. */
 typedef struct {
     char path[PATH_MAX];
@@ -23,5 +27,9 @@ bool tb_record_file_place(tb_record_file *file);
 
 /** Close the file; it goes where it was not placed. */
 void tb_record_file_drop(const tb_record_file *file);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 #include "record.h"
 #include "record_file.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** What it works with. */
 typedef struct {
     const tb_record *record;
@@ -16,5 +20,9 @@ typedef struct {
 
 /** Write until the program has ended, then end this process. */
 _Noreturn void tb_record_write(const tb_record_writer *writer);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
