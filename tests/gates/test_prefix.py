@@ -12,7 +12,8 @@ import turnbuckle.lab.lockstep
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction, batch_source, signatures
 from turnbuckle.codegen.compile import compiled
-from turnbuckle.codegen.generate import MANIFEST, Model, render, write
+from turnbuckle.codegen.generate import MANIFEST, render, write
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.hard_cases import HardSampler
 from turnbuckle.codegen.prefix import (
     KEYWORDS,
