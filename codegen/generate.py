@@ -22,6 +22,7 @@ from turnbuckle.codegen.folder import write_folder
 from turnbuckle.codegen.ir import Routine
 from turnbuckle.codegen.lower import lower
 from turnbuckle.codegen.simplify import simplify
+from turnbuckle.model.canonical import canonical
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.refusal import Refusal
 from turnbuckle.model.symbolic.composition import Composite, Composition
@@ -33,16 +34,6 @@ GENERATOR_VERSION = "0.1.4"
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
-#: Tables of a machine file that say nothing about a machine without buses.
-BUS_TABLES: dict[str, Any] = {
-    "buses": True,
-    "drives": True,
-    "nodes": True,
-    "supervision": True,
-    "calibration": True,
-    "cable_motor": {"rating"},
-    "rail_drive": {"rating", "homing"},
-}
 
 
 class GenerateError(Refusal):
@@ -106,18 +97,6 @@ def machine_hash(model: Model) -> str:
     for routine in model.items():
         digest.update(fingerprint(routine).encode())
     return digest.hexdigest()[:16]
-
-
-def canonical(machine: Machine) -> str:
-    """The machine's numbers as text; comments and spelling of units do not count.
-
-    Without buses the tables about them say nothing about the C, and do not count either; nor does a
-    list of other nodes that is empty.
-    """
-    without_nodes: dict[str, Any] = {} if machine.nodes else {"nodes": True}
-    left_out = without_nodes if machine.buses else BUS_TABLES
-    content = machine.model_dump(mode="json", by_alias=True, exclude=left_out)
-    return json.dumps(content, sort_keys=True)
 
 
 def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:

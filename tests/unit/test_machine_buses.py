@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from turnbuckle.codegen.generate import canonical
 from turnbuckle.model.bus.axis import axes, drive_names
+from turnbuckle.model.canonical import canonical
 from turnbuckle.model.machine import Machine, MachineError, load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
