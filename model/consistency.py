@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from turnbuckle.model import layout
 from turnbuckle.model.bus import rules as bus
 from turnbuckle.model.layout import ROUNDING
-from turnbuckle.model.problem import FOUND_NOTHING, Problem, key_path, problem_at, shown
+from turnbuckle.model.partial import forget
+from turnbuckle.model.problem import (
+    FOUND_NOTHING,
+    Location,
+    Problem,
+    key_path,
+    location_of,
+    problem_at,
+    shown,
+)
+from turnbuckle.model.table import WrongKey
 
 if TYPE_CHECKING:
     from turnbuckle.model.machine import Machine
@@ -18,19 +29,31 @@ MOST_WALLS = 16
 
 Found = Iterator[Problem]
 Tables = dict[str, Any]
+Rule = Callable[["Machine", Tables], Found]
 
 
 def consistency_problems(machine: Machine, tables: Tables) -> list[Problem]:
-    """All problems of a machine whose keys are right by themselves; `tables` is the TOML.
+    """All problems between the keys of a machine that are right by themselves; `tables`: the TOML.
 
     Later stages ask for what earlier ones have found to be there: points of the right dimension,
-    bases and rails that exist, cables that pull.
+    bases and rails that exist, cables that pull. What a stage finds to be wrong is taken out of the
+    machine, so that later stages are silent about that.
     """
+    found: list[Problem] = []
+    for location in layout.unjudged(machine):
+        forget(machine, location)
     for stage in STAGES:
-        problems = [problem for rule in stage for problem in rule(machine, tables)]
-        if problems:
-            return problems
-    return []
+        now = [problem for rule in stage for problem in _asked(rule, machine, tables)]
+        for problem in now:
+            forget(machine, location_of(problem.key))
+        found += now
+    return found
+
+
+def _asked(rule: Rule, machine: Machine, tables: Tables) -> Found:
+    """What a rule finds until it needs a key that is wrong already."""
+    with suppress(WrongKey):
+        yield from rule(machine, tables)
 
 
 def _counts(machine: Machine, tables: Tables) -> Found:
@@ -55,13 +78,15 @@ def _unique_names(machine: Machine, tables: Tables) -> Found:
                 yield Problem(key_path((table, i, key)), shown(word), allowed)
 
 
-def _limits(machine: Machine, tables: Tables) -> Found:
-    tension, motor = machine.tension, machine.cable_motor
-    if tension.min >= tension.max:
+def _tensions(machine: Machine, tables: Tables) -> Found:
+    if machine.tension.min >= machine.tension.max:
         limit = shown(tables["tension"]["max"])
         yield problem_at(tables, ("tension", "min"), f"a force below tension.max = {limit}")
-    needed = tension.max * machine.drum.radius
-    if motor.torque_limit < needed * (1 - ROUNDING):
+
+
+def _torque_limit(machine: Machine, tables: Tables) -> Found:
+    needed = machine.tension.max * machine.drum.radius
+    if machine.cable_motor.torque_limit < needed * (1 - ROUNDING):
         yield problem_at(
             tables,
             ("cable_motor", "torque_limit"),
@@ -106,22 +131,31 @@ def _observer(machine: Machine, tables: Tables) -> Found:
         yield Problem("disturbance_observer", found, "either corner or minus_3db")
 
 
-def _cut_offs(machine: Machine, tables: Tables) -> Found:
-    half = machine.control.rate / 2
-    corners = {("control", "velocity_corner"): (machine.control.velocity_corner, half)}
+def _velocity_corner(machine: Machine, tables: Tables) -> Found:
+    corner, half = machine.control.velocity_corner, machine.control.rate / 2
+    yield from _below(tables, ("control", "velocity_corner"), corner, half)
+
+
+def _derivative_corner(machine: Machine, tables: Tables) -> Found:
     if machine.rail_drive:
-        corners["rail_drive", "derivative_corner"] = machine.rail_drive.derivative_corner, half
-    observer = machine.disturbance_observer
+        corner, half = machine.rail_drive.derivative_corner, machine.control.rate / 2
+        yield from _below(tables, ("rail_drive", "derivative_corner"), corner, half)
+
+
+def _observer_corner(machine: Machine, tables: Tables) -> Found:
+    observer, half = machine.disturbance_observer, machine.control.rate / 2
     if observer and observer.corner:
-        corners["disturbance_observer", "corner"] = observer.corner, half
+        yield from _below(tables, ("disturbance_observer", "corner"), observer.corner, half)
     elif observer and observer.minus_3db:
         limit = half * observer.cut_off / observer.pole_corner
-        corners["disturbance_observer", "minus_3db"] = observer.minus_3db, limit
-    for location, (corner, limit) in corners.items():
-        if corner >= limit:
-            reason = "so that the corner is below half of control.rate"
-            allowed = f"a frequency below {limit:.4g} Hz, {reason}"
-            yield problem_at(tables, location, allowed)
+        location = ("disturbance_observer", "minus_3db")
+        yield from _below(tables, location, observer.minus_3db, limit)
+
+
+def _below(tables: Tables, location: Location, corner: float, limit: float) -> Found:
+    if corner >= limit:
+        reason = "so that the corner is below half of control.rate"
+        yield problem_at(tables, location, f"a frequency below {limit:.4g} Hz, {reason}")
 
 
 def _first_movable(machine: Machine) -> str:
@@ -142,16 +176,21 @@ STAGES = (
         layout.platform,
         layout.pulleys,
         _unique_names,
-        _limits,
+        _tensions,
+        _torque_limit,
         _observer_share,
         _observer,
-        _cut_offs,
+        _velocity_corner,
+        _derivative_corner,
+        _observer_corner,
         layout.target_in_the_frame,
+        layout.walls_in_the_frame,
     ),
     (layout.headings, layout.pulley_contacts, _carriages, _rail_drive),
     (layout.cables_span, layout.bases_off_one_line),
     (bus.buses_first, bus.bit_rates, bus.sync_rates, bus.names_and_nodes, bus.drives_on_buses),
     (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given, bus.other_nodes),
+    (bus.rated_torques,),
     (bus.currents, bus.object_ranges, bus.heartbeats, bus.sweeps, bus.frames_of_other_nodes),
     (bus.schedulable,),
 )

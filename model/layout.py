@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from turnbuckle.model.base import Base, Coordinates, FixedBase, PlaneBase, RailBase, leader
 from turnbuckle.model.directions import dot, rank
+from turnbuckle.model.partial import value_at
 from turnbuckle.model.problem import FOUND_NOTHING, Location, Problem, key_path, problem_at, shown
+from turnbuckle.model.pulley import PulleyTable
+from turnbuckle.model.table import WrongKey
 
 if TYPE_CHECKING:
     from turnbuckle.model.machine import Machine
@@ -19,6 +23,8 @@ if TYPE_CHECKING:
 ROUNDING = 4 * sys.float_info.epsilon
 # Two cables nearer than this angle [rad] are parallel on any machine that can be built.
 PARALLEL = 1e-9
+# A carriage that moves less than this [m] is none.
+LEAST_TRAVEL = 1e-3
 # A rotation vector of pi is as far as a platform can turn; its derivative is lost soon beyond.
 MOST_ROTATION = math.pi
 SAMPLES_PER_SIDE = 5
@@ -26,6 +32,15 @@ SAMPLES_PER_SIDE = 5
 Found = Iterator[Problem]
 Tables = dict[str, Any]
 WORDS = {2: "two", 3: "three"}
+PLACES = (
+    ("base",),
+    ("rail", "from"),
+    ("rail", "to"),
+    ("plane", "corner"),
+    ("plane", "along"),
+    ("plane", "across"),
+)
+"""Where a table of a cable says where its base is."""
 
 
 def dimension_problems(machine: Machine, tables: Tables) -> Found:
@@ -36,57 +51,59 @@ def dimension_problems(machine: Machine, tables: Tables) -> Found:
             yield problem_at(tables, location, allowed)
 
 
-def _vectors(machine: Machine) -> Iterator[tuple[Location, tuple[float, ...]]]:
+def unjudged(machine: Machine) -> list[Location]:
+    """Where vectors are of which nobody knows how long they should be: the kind is wrong."""
+    with suppress(WrongKey):
+        assert machine.space
+        return []
+    return [location for location, _ in _vectors(machine)]
+
+
+def _vectors(machine: Machine) -> Iterator[tuple[Location, Coordinates]]:
     """Where the file holds points, sizes and directions, and these."""
-    yield ("frame", "size"), machine.frame.size
-    yield ("target", "size"), machine.target.size
-    yield ("target", "centre"), machine.target.centre
-    for i, wall in enumerate(machine.walls):
-        yield ("wall", i, "point"), wall.point
-        yield ("wall", i, "normal"), wall.normal
+    yield from _held(machine, [("frame", "size"), ("target", "size"), ("target", "centre")])
+    for i in _numbers(machine, "walls"):
+        yield from _held(machine, [("wall", i, "point"), ("wall", i, "normal")])
     yield from _base_points(machine)
-    for i, cable in enumerate(machine.cables):
-        if cable.anchor is not None:
-            yield ("cable", i, "anchor"), cable.anchor
-    for location, table in _pulley_tables(machine):
-        for key in ("contact", "axis"):
-            vector = getattr(table, key)
-            if vector is not None:
-                yield (*location, key), vector
-    for i, key, base in _movable(machine):
-        if base.heading is not None:
-            yield ("cable", i, key, "heading"), base.heading
+    yield from _held(machine, [("cable", i, "anchor") for i in _numbers(machine, "cables")])
+    for location, _ in _pulley_tables(machine):
+        yield from _held(machine, [(*location, "contact"), (*location, "axis")])
+    for i, key, _ in _movable(machine):
+        yield from _held(machine, [("cable", i, key, "heading")])
+
+
+def _held(machine: Machine, locations: Iterable[Location]) -> Iterator[tuple[Location, Any]]:
+    """What the machine holds at locations where it holds something, right as far as is known."""
+    for location in locations:
+        with suppress(WrongKey):
+            held = value_at(machine, location)
+            if held is not None:
+                yield location, held
+
+
+def _numbers(machine: Machine, tables: str) -> range:
+    """Numbers of the cables or walls; none where these are wrong."""
+    with suppress(WrongKey):
+        return range(len(getattr(machine, tables)))
+    return range(0)
 
 
 def _movable(machine: Machine) -> Iterator[tuple[int, str, RailBase | PlaneBase]]:
     """The bases that move, with the number of their cable and the key of their table."""
-    for i, cable in enumerate(machine.cables):
-        if cable.rail is not None:
-            yield i, "rail", cable.rail
-        if cable.plane is not None:
-            yield i, "plane", cable.plane
+    for i in _numbers(machine, "cables"):
+        for location, base in _held(machine, [("cable", i, "rail"), ("cable", i, "plane")]):
+            yield i, str(location[-1]), base
 
 
-def _base_points(machine: Machine) -> Iterator[tuple[Location, tuple[float, ...]]]:
+def _base_points(machine: Machine) -> Iterator[tuple[Location, Coordinates]]:
     """Where the file places bases, and the place."""
-    for i, cable in enumerate(machine.cables):
-        if cable.fixed is not None:
-            yield ("cable", i, "base"), cable.fixed
-        if cable.rail is not None:
-            yield ("cable", i, "rail", "from"), cable.rail.start
-            yield ("cable", i, "rail", "to"), cable.rail.end
-        if cable.plane is not None:
-            yield ("cable", i, "plane", "corner"), cable.plane.corner
-            yield ("cable", i, "plane", "along"), cable.plane.along
-            yield ("cable", i, "plane", "across"), cable.plane.across
+    for i in _numbers(machine, "cables"):
+        yield from _held(machine, [("cable", i, *place) for place in PLACES])
 
 
-def _pulley_tables(machine: Machine) -> Iterator[tuple[Location, Any]]:
-    if machine.pulley is not None:
-        yield ("pulley",), machine.pulley
-    for i, cable in enumerate(machine.cables):
-        if cable.pulley is not None:
-            yield ("cable", i, "pulley"), cable.pulley
+def _pulley_tables(machine: Machine) -> Iterator[tuple[Location, PulleyTable]]:
+    of_cables = [("cable", i, "pulley") for i in _numbers(machine, "cables")]
+    yield from _held(machine, [("pulley",), *of_cables])
 
 
 def one_base_each(machine: Machine, tables: Tables) -> Found:
@@ -113,60 +130,67 @@ def _frame(tables: Tables) -> str:
 
 def travel_has_length(machine: Machine, tables: Tables) -> Found:
     """Rails and planes are of some size, and the sides of a plane are not parallel."""
-    for i, cable in enumerate(machine.cables):
-        if cable.rail is not None and cable.rail.start == cable.rail.end:
-            allowed = "an end other than the rail's from"
-            yield problem_at(tables, ("cable", i, "rail", "to"), allowed)
-        if cable.plane is not None and not _spans(cable.plane):
-            allowed = "a point off the line through the plane's corner and along"
-            yield problem_at(tables, ("cable", i, "plane", "across"), allowed)
+    for i, key, base in _movable(machine):
+        with suppress(WrongKey):
+            if isinstance(base, RailBase) and base.length < LEAST_TRAVEL:
+                allowed = "an end other than the rail's from, by 1 mm at least"
+                yield problem_at(tables, ("cable", i, key, "to"), allowed)
+            if isinstance(base, PlaneBase) and not _spans(base):
+                allowed = "a point off the line through the plane's corner and along"
+                yield problem_at(tables, ("cable", i, key, "across"), allowed)
 
 
 def _spans(plane: PlaneBase) -> bool:
-    if plane.corner in (plane.along, plane.across):
-        return False
-    return rank(plane.directions, PARALLEL) == 2
+    return min(plane.lengths) >= LEAST_TRAVEL and rank(plane.directions, PARALLEL) == 2
 
 
 def headings(machine: Machine, tables: Tables) -> Found:
     """A cable cannot head along the rail that its base slides on."""
     for i, key, base in _movable(machine):
-        directions = [base.direction] if isinstance(base, RailBase) else list(base.directions)
-        if base.heading is not None and rank([base.heading, directions[0]], PARALLEL) < 2:
-            allowed = f"a direction that is not along the {key}"
-            yield problem_at(tables, ("cable", i, key, "heading"), allowed)
+        with suppress(WrongKey):
+            along = base.direction if isinstance(base, RailBase) else base.directions[0]
+            if base.heading is not None and rank([base.heading, along], PARALLEL) < 2:
+                allowed = f"a direction that is not along the {key}"
+                yield problem_at(tables, ("cable", i, key, "heading"), allowed)
 
 
 def coupled_rails(machine: Machine, tables: Tables) -> Found:
     """A carriage follows that of another cable on a rail, not longer than its own, in no cycle."""
     drives = [cable.drive for cable in machine.cables]
-    bases = [cable.rail for cable in machine.cables]
-    for i, rail in enumerate(bases):
-        if rail is None or rail.follows is None:
-            continue
-        location = ("cable", i, "rail", "follows")
-        others = [d for d, b in zip(drives, bases, strict=True) if b is not None and b is not rail]
-        if rail.follows not in others:
-            allowed = f"the drive of another cable with a rail: {', '.join(others) or 'none here'}"
-            yield problem_at(tables, location, allowed)
-        elif (lead := leader([b or FixedBase(()) for b in bases], drives, i)) is None:
-            allowed = "a chain that ends at a rail with a drive of its own, no cycle"
-            yield problem_at(tables, location, allowed)
-        elif (longest := bases[lead]) and longest.length > rail.length * (1 + ROUNDING):
-            allowed = f"a rail of at most this one's {rail.length * 1e3:g} mm"
-            found = f"{shown(rail.follows)}, led by a rail of {longest.length * 1e3:g} mm"
-            yield Problem(key_path(location), found, allowed)
+    rails = [cable.rail for cable in machine.cables]
+    for i, rail in enumerate(rails):
+        with suppress(WrongKey):
+            if rail is not None and rail.follows is not None:
+                yield from _coupled(tables, i, rails, drives)
+
+
+def _coupled(tables: Tables, i: int, rails: Sequence[RailBase | None], drives: list[str]) -> Found:
+    """What is wrong with the carriage of a cable, which follows another."""
+    location, rail = ("cable", i, "rail", "follows"), rails[i]
+    assert rail is not None
+    others = [d for d, r in zip(drives, rails, strict=True) if r is not None and r is not rail]
+    if rail.follows not in others:
+        allowed = f"the drive of another cable with a rail: {', '.join(others) or 'none here'}"
+        yield problem_at(tables, location, allowed)
+    elif (lead := leader([r or FixedBase(()) for r in rails], drives, i)) is None:
+        allowed = "a chain that ends at a rail with a drive of its own, no cycle"
+        yield problem_at(tables, location, allowed)
+    elif (longest := rails[lead]) and longest.length > rail.length * (1 + ROUNDING):
+        allowed = f"a rail of at most this one's {rail.length * 1e3:g} mm"
+        found = f"{shown(rail.follows)}, led by a rail of {longest.length * 1e3:g} mm"
+        yield Problem(key_path(location), found, allowed)
 
 
 def anchors(machine: Machine, tables: Tables) -> Found:
     """A rigid platform has an anchor for every cable, a point has none."""
     for i, cable in enumerate(machine.cables):
-        if machine.is_rigid and cable.anchor is None:
-            allowed = "where the platform holds the cable, from its centre, one length an axis"
-            yield Problem(key_path(("cable", i, "anchor")), FOUND_NOTHING, allowed)
-        if not machine.is_rigid and cable.anchor is not None:
-            allowed = f"no anchor: the platform of {machine.kind} is a point"
-            yield problem_at(tables, ("cable", i, "anchor"), allowed)
+        with suppress(WrongKey):
+            if machine.is_rigid and cable.anchor is None:
+                allowed = "where the platform holds the cable, from its centre, one length an axis"
+                yield Problem(key_path(("cable", i, "anchor")), FOUND_NOTHING, allowed)
+            if not machine.is_rigid and cable.anchor is not None:
+                allowed = f"no anchor: the platform of {machine.kind} is a point"
+                yield problem_at(tables, ("cable", i, "anchor"), allowed)
     if machine.is_rigid and not any(any(cable.anchor or ()) for cable in machine.cables):
         found = "every anchor at the platform's centre"
         yield Problem("cable", found, "anchors off the centre, or a kind whose platform is a point")
@@ -193,18 +217,18 @@ def platform(machine: Machine, tables: Tables) -> Found:
 
 def pulleys(machine: Machine, tables: Tables) -> Found:
     """Planar pulleys wind and have a first contact, spatial ones have an axis."""
+    wrong = ("axis",) if machine.space == 2 else ("winds", "contact")
     for location, table in _pulley_tables(machine):
-        held: Any = tables
-        for part in location:
-            held = held[part]
-        wrong = ("axis",) if machine.space == 2 else ("winds", "contact")
         for key in wrong:
-            if key in held:
+            if key in table.model_fields_set:
                 allowed = f"no such key for the kind {machine.kind}"
                 yield problem_at(tables, (*location, key), allowed)
-        if machine.space == 3 and table.axis is None:
-            allowed = "three plain numbers, the direction in which the cable runs into the pulley"
-            yield Problem(key_path((*location, "axis")), FOUND_NOTHING, allowed)
+        with suppress(WrongKey):
+            if machine.space == 3 and table.axis is None:
+                allowed = (
+                    "three plain numbers, the direction in which the cable runs into the pulley"
+                )
+                yield Problem(key_path((*location, "axis")), FOUND_NOTHING, allowed)
 
 
 def pulley_contacts(machine: Machine, tables: Tables) -> Found:
@@ -219,6 +243,17 @@ def pulley_contacts(machine: Machine, tables: Tables) -> Found:
                 found = f"{FOUND_NOTHING}, and the base is in the middle of the frame"
                 allowed = "two plain numbers, from the pulley's centre to where the cable touches"
                 yield Problem(key_path(location), found, allowed)
+
+
+def walls_in_the_frame(machine: Machine, tables: Tables) -> Found:
+    """Some of the frame is on the free side of a wall, and the wall is within reach."""
+    for i, wall in enumerate(machine.walls):
+        with suppress(WrongKey):
+            corners = product(*((0.0, side) for side in machine.frame.size))
+            depths = [dot(_minus(corner, wall.point), wall.normal) for corner in corners]
+            if not min(depths) <= 0 < max(depths):
+                allowed = f"a wall through the frame, {_frame(tables)}"
+                yield problem_at(tables, ("wall", i, "point"), allowed)
 
 
 def target_in_the_frame(machine: Machine, tables: Tables) -> Found:

@@ -31,6 +31,8 @@ from turnbuckle.model.bus.tables import (
 )
 from turnbuckle.model.consistency import consistency_problems
 from turnbuckle.model.kind import KINDS
+from turnbuckle.model.layout import ROUNDING
+from turnbuckle.model.partial import partial
 from turnbuckle.model.problem import MachineError, Problem, schema_problems
 from turnbuckle.model.pulley import SENSE, Pulley, PulleyTable
 from turnbuckle.model.quantity import (
@@ -412,6 +414,18 @@ class Machine(Table):
             ("target", self._target_in_words()),
         ]
 
+    def warnings(self) -> list[tuple[str, str]]:
+        """What is allowed, and may be an oversight: rows of (key, text)."""
+        off = self._off_centre()
+        if not any(off):
+            return []
+        return [("target.centre", f"{_in_mm(*off)} off the middle of the frame")]
+
+    def _off_centre(self) -> Coordinates:
+        """How far the target's centre is from the frame's [m], less rounding."""
+        sides = zip(self.target.centre, self.frame.centre, self.frame.size, strict=True)
+        return tuple(a - b if abs(a - b) > ROUNDING * size else 0.0 for a, b, size in sides)
+
     def _rails_in_words(self) -> str:
         return ", ".join(_in_mm(rail.length) for rail in self.rails) or "none"
 
@@ -422,6 +436,7 @@ class Machine(Table):
     def _target_in_words(self) -> str:
         target = self.target
         text = f"{_in_mm(*target.size)}, {target.force:g} N in every direction"
+        text += "".join(f", {words}" for _, words in self.warnings())
         if target.moment:
             text += f", {target.moment * 1e3:g} mN m about every axis"
         if target.rotation:
@@ -453,11 +468,13 @@ def load_machine(path: str | Path) -> Machine:
 
 def machine_from(tables: dict[str, Any], path: Path) -> Machine:
     """The machine that a file's tables describe; MachineError names `path` as the file."""
+    problems: list[Problem] = []
     try:
         machine = Machine.model_validate(tables)
     except ValidationError as error:
-        raise MachineError(path, schema_problems(error, Machine)) from None
-    problems = consistency_problems(machine, tables)
+        problems = schema_problems(error, Machine)
+        machine = partial(Machine, tables)
+    problems += consistency_problems(machine, tables)
     if problems:
         raise MachineError(path, problems)
     machine._path = path

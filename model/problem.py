@@ -9,10 +9,11 @@ from inspect import isclass
 from pathlib import Path
 from typing import Any, get_args
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
 from turnbuckle.model.refusal import Refusal
+from turnbuckle.model.table import Table
 
 Location = Sequence[str | int]
 
@@ -41,7 +42,8 @@ class MachineError(Refusal):
 
     def __init__(self, path: Path, problems: Sequence[Problem]) -> None:
         more = len(problems) - 1
-        tail = f" (and {more} more problem{'s' if more > 1 else ''})" if more else ""
+        listed = "; turnbuckle check lists all" if more > 1 else ""
+        tail = f" (and {more} more problem{'s' if more > 1 else ''}{listed})" if more else ""
         super().__init__(f"{path}: {problems[0]}{tail}")
         self.path = path
         self.problems = tuple(problems)
@@ -83,6 +85,12 @@ def key_path(location: Location) -> str:
     return path
 
 
+def location_of(key: str) -> Location:
+    """The inverse of key_path for keys of the schema."""
+    parts = re.findall(r"([A-Za-z0-9_-]+)|\[([0-9]+)\]", key)
+    return [word or int(number) - 1 for word, number in parts]
+
+
 def problem_at(tables: dict[str, Any], location: Location, allowed: str) -> Problem:
     """A problem whose `found` is what the file says at `location`."""
     value: Any = tables
@@ -97,14 +105,14 @@ def nearest(word: str, known: Iterable[str]) -> str:
     return f"; did you mean {close[0]}?" if close else ""
 
 
-def schema_problems(error: ValidationError, schema: type[BaseModel]) -> list[Problem]:
+def schema_problems(error: ValidationError, schema: type[Table]) -> list[Problem]:
     """Word every error of the schema; unknown keys first, as they often explain a missing one."""
     details = error.errors(include_url=False)
     ordered = sorted(details, key=lambda detail: detail["type"] != "extra_forbidden")
     return [_worded(detail, schema) for detail in ordered]
 
 
-def _worded(detail: ErrorDetails, schema: type[BaseModel]) -> Problem:
+def _worded(detail: ErrorDetails, schema: type[Table]) -> Problem:
     location, context = detail["loc"], detail.get("ctx", {})
     if detail["type"] == "extra_forbidden":
         return _unknown_key(location, schema)
@@ -127,33 +135,34 @@ def _allowed_by_type(detail: ErrorDetails, location: Location, context: dict[str
     return detail["msg"]
 
 
-def _unknown_key(location: Location, schema: type[BaseModel]) -> Problem:
-    keys = _keys(_table_at(location[:-1], schema))
+def _unknown_key(location: Location, schema: type[Table]) -> Problem:
+    keys = field_names(_table_at(location[:-1], schema))
     word = str(location[-1])
     allowed = f"the keys {', '.join(keys)}{nearest(word, keys)}"
     return Problem(key_path(location), "an unknown key", allowed)
 
 
-def _meaning(location: Location, schema: type[BaseModel]) -> str:
+def _meaning(location: Location, schema: type[Table]) -> str:
     table = _table_at(location[:-1], schema)
-    field = table.model_fields[_keys(table)[str(location[-1])]]
+    field = table.model_fields[field_names(table)[str(location[-1])]]
     examples = [item.allowed for item in field.metadata if hasattr(item, "allowed")]
     return ", ".join(filter(None, [field.description, *examples]))
 
 
-def _keys(table: type[BaseModel]) -> dict[str, str]:
+def field_names(table: type[Table]) -> dict[str, str]:
     """Key in the file -> name of the field."""
     return {field.alias or name: name for name, field in table.model_fields.items()}
 
 
-def _table_at(location: Location, schema: type[BaseModel]) -> type[BaseModel]:
+def _table_at(location: Location, schema: type[Table]) -> type[Table]:
     for part in location:
         if isinstance(part, str):
-            schema = _table_in(schema.model_fields[_keys(schema)[part]].annotation) or schema
+            schema = table_in(schema.model_fields[field_names(schema)[part]].annotation) or schema
     return schema
 
 
-def _table_in(annotation: object) -> type[BaseModel] | None:
-    if isclass(annotation) and issubclass(annotation, BaseModel):
+def table_in(annotation: object) -> type[Table] | None:
+    """The table that a field holds, or an array of which it holds."""
+    if isclass(annotation) and issubclass(annotation, Table):
         return annotation
-    return next(filter(None, map(_table_in, get_args(annotation))), None)
+    return next(filter(None, map(table_in, get_args(annotation))), None)

@@ -300,6 +300,7 @@ Speed = Annotated[float, Quantity("a speed", "m/s", "50 mm/s", least=1e-6, most=
 Acceleration = Annotated[
     float, Quantity("an acceleration", "m/s^2", "0.5 m/s^2", least=1e-6, most=1e6)
 ]
+Delay = Annotated[float, Quantity("a time", "s", "40 us", least=1e-6, most=0.1)]
 Duration = Annotated[float, Quantity("a time", "s", "20 ms", least=1e-6, most=3600.0)]
 Point = Annotated[tuple[Coordinate, ...], _array("lengths", '["0 mm", "461.8 mm"]')]
 Size = Annotated[tuple[Length, ...], _array("lengths", '["506 mm", "284 mm"]')]

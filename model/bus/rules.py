@@ -9,7 +9,13 @@ from typing import TYPE_CHECKING, Any
 from turnbuckle.model.bus.alternatives import alternatives, counted
 from turnbuckle.model.bus.axis import Axis, axes, base_drive, drive_names
 from turnbuckle.model.bus.plan import BusPlan, Load, loads, plans, timing
-from turnbuckle.model.bus.tables import BIT_RATES, ERROR_CONTROL, MASTER, MASTER_NODE, Rating
+from turnbuckle.model.bus.tables import (
+    BIT_RATES,
+    ERROR_CONTROL,
+    MASTER,
+    MASTER_NODE,
+    Rating,
+)
 from turnbuckle.model.problem import FOUND_NOTHING, Problem, key_path, nearest, problem_at, shown
 
 if TYPE_CHECKING:
@@ -22,6 +28,7 @@ WRITTEN = 1e-5
 MOST_DIVIDER = 255
 LONGEST_HEARTBEAT = 65.535
 MILLISECOND = 1e-3
+MOST_UNSIGNED, MOST_SIGNED = 0xFFFF_FFFF, 0x7FFF_FFFF
 # Identifiers that only the master sends: NMT, SYNC, TIME, its heartbeat.
 MASTERS = (0x000, 0x080, 0x100, ERROR_CONTROL + MASTER_NODE)
 
@@ -199,6 +206,18 @@ def _current(tables: Tables, table: str, rating: Rating, needed: float, why: str
         yield problem_at(tables, (table, "rating", "encoder_counts"), allowed)
 
 
+def rated_torques(machine: Machine, tables: Tables) -> Found:
+    """A drive knows its rated torque in whole uN m, as a number of 32 bits."""
+    motors = {"cable_motor": machine.cable_motor, "rail_drive": machine.rail_drive}
+    for table, motor in motors.items():
+        if machine.buses and motor and motor.rating:
+            rated = round(motor.rating.rated_torque * 1e6)
+            if not 1 <= rated <= MOST_UNSIGNED:
+                found = f"nominal_current times torque_constant of {rated} uN*m"
+                allowed = f"1 to {MOST_UNSIGNED} uN*m (6076)"
+                yield Problem(f"{table}.rating", found, allowed)
+
+
 def object_ranges(machine: Machine, tables: Tables) -> Found:
     """Numbers that a drive's objects must hold."""
     for axis in axes(machine):
@@ -219,11 +238,20 @@ def _homing_in_objects(machine: Machine, tables: Tables) -> Found:
     assert rail_drive is not None and rail_drive.homing is not None
     homing = rail_drive.homing
     base = next(axis for axis in axes(machine) if axis.rail is not None)
+    turn_a_minute = 1 / base.turning_speed(1.0)
     for key, value in (("speed", homing.speed), ("acceleration", homing.acceleration)):
-        if round(base.turning_speed(value)) < 1:
-            least = value / base.turning_speed(value)
-            allowed = f"at least one turn of the motor a minute, {least * 1e3:.3g} mm a second"
-            yield problem_at(tables, ("rail_drive", "homing", key), allowed)
+        location, turning = ("rail_drive", "homing", key), round(base.turning_speed(value))
+        if turning < 1:
+            least = f"{turn_a_minute * 1e3:.3g} mm a second"
+            allowed = f"at least one turn of the motor a minute, {least}"
+            yield problem_at(tables, location, allowed)
+        if turning > MOST_UNSIGNED:
+            allowed = f"at most {MOST_UNSIGNED} turns of the motor a minute (6099, 609A)"
+            yield problem_at(tables, location, allowed)
+    farthest = max(rail.length for rail in machine.rails) + homing.beyond
+    if abs(base.increments(farthest)) > MOST_SIGNED:
+        found = f"{base.increments(farthest)} counts of the encoder on the longest rail"
+        yield Problem("rail_drive.rating.encoder_counts", found, f"at most {MOST_SIGNED} (6064)")
     if homing.current > 65.535:
         yield problem_at(tables, ("rail_drive", "homing", "current"), "at most 65.535 A (30B2)")
 
@@ -235,15 +263,23 @@ def heartbeats(machine: Machine, tables: Tables) -> Found:
     for beat, timeout in pairs:
         if getattr(limits, timeout) < 2 * getattr(limits, beat) * (1 - ROUNDING):
             allowed = f"at least twice supervision.{beat} = {getattr(limits, beat) * 1e3:g} ms"
-            found = f"{getattr(limits, timeout) * 1e3:g} ms"
-            yield Problem(f"supervision.{timeout}", found, allowed)
+            yield _time(machine, tables, timeout, allowed)
     for key in ("heartbeat_timeout", "drive_heartbeat"):
         time = getattr(limits, key)
         if not MILLISECOND * (1 - ROUNDING) <= time <= LONGEST_HEARTBEAT:
-            yield problem_at(tables, ("supervision", key), "1 ms to 65.535 s")
+            yield _time(machine, tables, key, "1 ms to 65.535 s")
     if limits.heartbeat < cycle * (1 - ROUNDING):
         allowed = f"at least a control cycle, {cycle * 1e3:g} ms"
-        yield problem_at(tables, ("supervision", "heartbeat"), allowed)
+        yield _time(machine, tables, "heartbeat", allowed)
+
+
+def _time(machine: Machine, tables: Tables, key: str, allowed: str) -> Problem:
+    """A problem with a time that the file need not give."""
+    location = ("supervision", key)
+    if key in tables.get("supervision", ()):
+        return problem_at(tables, location, allowed)
+    time = getattr(machine.supervision, key)
+    return Problem(key_path(location), f"{time * 1e3:g} ms, the default", allowed)
 
 
 def sweeps(machine: Machine, tables: Tables) -> Found:

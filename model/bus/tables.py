@@ -11,6 +11,7 @@ from turnbuckle.model.quantity import (
     Acceleration,
     BitRate,
     Current,
+    Delay,
     Duration,
     Frequency,
     Length,
@@ -169,12 +170,10 @@ class Supervision(Table):
     quick_stop: Literal["off", "hold"] = Field(
         "off", description="where a drive's quick stop (605A) ends: off, or hold with torque"
     )
-    answer_delay: Duration = Field(
+    answer_delay: Delay = Field(
         40e-6, description="most from SYNC until a drive's answer is ready to be sent [s]"
     )
-    compute_time: Duration = Field(
-        100e-6, description="set aside for computing one control cycle [s]"
-    )
+    compute_time: Delay = Field(100e-6, description="set aside for computing one control cycle [s]")
     answer_timeout: Duration = Field(0.5, description="until an SDO request has failed [s]")
     missed_syncs: Cycles = Field(2, description="unanswered SYNCs in a row that are bridged")
     skipped_cycles: Cycles = Field(2, description="control cycles skipped at once that are bridged")

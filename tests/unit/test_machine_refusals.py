@@ -399,7 +399,9 @@ def test_the_first_of_several_problems_is_shown_and_the_rest_counted(tmp_path: P
     text = changed((RADIUS, 'radius = "0 mm"'), ('min = "3 N"', 'min = "-3 N"'))
     assert refusal(tmp_path, text).endswith('such as "3 N" (and 1 more problem)')
     text = changed(('size = ["506 mm"', 'size = ["x"'), text=text)
-    assert refusal(tmp_path, text).endswith('such as "3 N" (and 2 more problems)')
+    assert refusal(tmp_path, text).endswith(
+        'such as "3 N" (and 2 more problems; turnbuckle check lists all)'
+    )
 
 
 def test_a_long_key_is_shortened(tmp_path: Path) -> None:
