@@ -129,8 +129,10 @@ class Quantity:
             raise refusal(f"{self.allowed}{clearly}", f"{found}, {meaning(quantity.unit)}")
         self._check_sign(quantity)
         magnitude = _float(quantity.number, its.size / target.size)
-        if quantity.number and not self.least <= abs(magnitude) <= self.most:
-            sizes = f"of a size from {self.least:g} to {self.most:g} {self.si}"
+        # Where zero may be, what is next to it may be too: a coordinate that a search has found.
+        least = self.least if self.sign == "greater than zero" else min(self.least, SMALLEST)
+        if quantity.number and not least <= abs(magnitude) <= self.most:
+            sizes = f"of a size from {least:g} to {self.most:g} {self.si}"
             raise refusal(f"{self.allowed}, {sizes}")
         return magnitude
 
