@@ -1,6 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 1bb3e62b93ef25bc, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
- * SPDX-License-Identifier: 0BSD */
+ * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 

@@ -1,6 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine ae4e20152494c674, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
- * SPDX-License-Identifier: 0BSD */
+ * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"

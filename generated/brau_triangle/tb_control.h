@@ -1,6 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 016feafc76c67251, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
- * SPDX-License-Identifier: 0BSD */
+ * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

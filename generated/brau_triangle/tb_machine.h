@@ -1,13 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 016feafc76c67251, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
- * SPDX-License-Identifier: 0BSD */
+ * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_triangle"
-#define TB_MACHINE_HASH "016feafc76c67251"
+#define TB_MACHINE_HASH "a16359e685adcca9"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 3

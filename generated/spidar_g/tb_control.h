@@ -1,6 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 9c7c04b42915ff51, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
- * SPDX-License-Identifier: 0BSD */
+ * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

@@ -1,6 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine 32d14273b4d10bf9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
- * SPDX-License-Identifier: 0BSD */
+ * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 

@@ -4,6 +4,7 @@ import ctypes
 
 import pytest
 import supervised
+from safety_table import constants
 from supervised import DRIVES, Report
 
 SPEED = 1e-4
@@ -46,6 +47,15 @@ def test_an_age_that_cannot_be_leaves_the_position_finite() -> None:
     measurement = Measurement()
     for cycle in range(5):
         assert abs(measurement.take(SPEED * cycle, 200)) < 1.0
+
+
+def test_of_two_messages_for_one_sync_the_second_may_differ_by_a_cycles_motion() -> None:
+    most = supervised.PERIOD * constants(supervised.STOCK)["TB_CABLE_SPEED_LIMIT"]
+    for share, is_taken in ((0.99, True), (1.01, False)):
+        measurement = Measurement()
+        measurement.take(0.0, 1)
+        measurement.take(0.0, 1)
+        assert (measurement.take(share * most, 2) != 0.0) is is_taken
 
 
 def test_the_first_position_may_be_anywhere_within_a_thousand_kilometres() -> None:

@@ -403,6 +403,14 @@ def test_no_wait_is_without_an_end(
     assert machine.orders.culprit == culprit
 
 
+def test_a_soft_stop_waits_for_its_last_drive_to_switch_off_and_no_longer(stock_at: At) -> None:
+    machine, on = stock_at("SOFT_STOP POWER_OFF"), last_base(power=Power.ENABLED)
+    machine.run(HEARTBEAT_TIMEOUT, spoil=on)
+    assert machine.orders.state == State.SOFT_STOP
+    machine.step(on)
+    assert machine.orders.state == State.FAULT
+
+
 TASKS = [
     ("INIT NONE", last_base(task=0), DRIVES - 1),
     ("CONFIGURE CONTRACT", first_base(progress=1), 4),

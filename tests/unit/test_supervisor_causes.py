@@ -300,6 +300,22 @@ def test_lengths_that_disagree_are_found_in_run(moments: tuple[Machine, Moments]
     assert any(machine.orders.slack) or machine.orders.state == State.SOFT_STOP
 
 
+def test_what_the_controller_found_is_forgotten_in_a_stop(
+    moments: tuple[Machine, Moments],
+) -> None:
+    machine, saved = moments
+    machine.restore(saved["RUN NONE"])
+    told, spoil = np.zeros(CABLES, dtype=bool), drift(-1.0)
+    while machine.orders.state == State.RUN:
+        told |= np.array(machine.orders.slack) != 0.0
+        found = any(bytes(machine.orders.controller))
+        machine.step(spoil)
+    assert told.all() and found
+    machine.step(spoil)
+    assert not any(machine.orders.slack)
+    assert not any(bytes(machine.orders.controller))
+
+
 def test_lengths_that_never_agree_keep_the_machine_from_running(
     moments: tuple[Machine, Moments],
 ) -> None:
