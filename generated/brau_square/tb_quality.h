@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

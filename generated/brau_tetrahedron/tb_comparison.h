@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_COMPARISON_H
 #define TB_COMPARISON_H
 

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[6])

@@ -1,12 +1,13 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_triangle"
-#define TB_MACHINE_HASH "a16359e685adcca9"
+#define TB_MACHINE_HASH "62d2624dcb098eaa"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 3

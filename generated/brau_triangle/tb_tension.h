@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
 
 /* All cables are free. */

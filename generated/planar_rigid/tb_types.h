@@ -1,11 +1,14 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+
+#define TB_VERSION 200 /* Turnbuckle 0.2.0; the runtime must be of the same */
 
 /* One source, two precisions: compile with -DTB_REAL_FLOAT for single precision. Use -std=c99 or
  * -ffp-contract=off, so that every target computes the same bits, and -fno-math-errno, so that the

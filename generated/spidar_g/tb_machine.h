@@ -1,12 +1,13 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "spidar_g"
-#define TB_MACHINE_HASH "d9b7c0f26af9ec33"
+#define TB_MACHINE_HASH "71c9470051fc7a1d"
 
 #define TB_DOF 6 /* degrees of freedom of the platform */
 #define TB_CABLES 8

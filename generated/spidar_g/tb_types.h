@@ -1,11 +1,14 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TYPES_H
 #define TB_TYPES_H
 
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+
+#define TB_VERSION 200 /* Turnbuckle 0.2.0; the runtime must be of the same */
 
 /* One source, two precisions: compile with -DTB_REAL_FLOAT for single precision. Use -std=c99 or
  * -ffp-contract=off, so that every target computes the same bits, and -fno-math-errno, so that the

@@ -1,12 +1,13 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "three_base_equilateral"
-#define TB_MACHINE_HASH "b9ced6e4aff55249"
+#define TB_MACHINE_HASH "bf852767ce09ae7f"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 3

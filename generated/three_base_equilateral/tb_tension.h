@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 

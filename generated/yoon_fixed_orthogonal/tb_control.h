@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

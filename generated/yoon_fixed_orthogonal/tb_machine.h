@@ -1,12 +1,13 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon_fixed_orthogonal"
-#define TB_MACHINE_HASH "570149f0a586ffd9"
+#define TB_MACHINE_HASH "c858d0533419e597"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,5 +1,6 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 
