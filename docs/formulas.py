@@ -28,4 +28,4 @@ def formula(match: re.Match[str]) -> str:
     if unknown := UNKNOWN.search(shown):
         raise PluginError(f"{unknown['word']} has no MathML here: {tex}")
     shown = re.sub(r'columnalign="(\w+)"', r'style="text-align: \1"', shown)  # what browsers obey
-    return f'<div style="overflow-x: auto; font-size: 1.15em">{shown}</div>' if display else shown
+    return f'<div class="formula">{shown}</div>' if display else shown

@@ -42,7 +42,7 @@ def documents(root: Path) -> list[PurePosixPath]:
     docs = [
         PurePosixPath(path.relative_to(root).as_posix())
         for path in (root / "docs").rglob("*")
-        if path.suffix in {".md", ".png", ".json"}
+        if path.suffix in {".css", ".json", ".md", ".png"}
     ]
     return [*map(PurePosixPath, TOP), *docs]
 

@@ -136,12 +136,13 @@ def rotations(machine: Machine, names: Names) -> list[Equation]:
     arms = [multiply(names.rotation, anchor) for anchor in exact(list(map(list, machine.anchors)))]
     halves = sp.Matrix([sp.cos(angle / 2), sp.sin(angle / 2) / angle])
     return [
-        Equation("half_angle", "", halves, "", "Cosine and sine of the half angle.", (w, sigma)),
+        Equation("half_angle", "", halves, "", HALVES, (w, sigma)),
         Equation("rotation", r"\mathbf{R}", matrix, "1", "The rotation.", flat(names.rotation)),
         Equation("arms", "", sp.Matrix(arms), "m", ARMS, flat(names.rows("r"))),
     ]
 
 
+HALVES = "Cosine of half the angle, and its sine over the angle."
 ARMS = "Arms, from the platform's centre to its anchors: the rotation times the upright ones."
 
 

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from turnbuckle.codegen.generate import LICENCE
+
 ROOT = Path(__file__).parents[2]
 PAPERS = ("LICENSE", "NOTICE")
 WORKFLOW = (ROOT / ".github" / "workflows" / "ci.yml").read_text()
@@ -87,6 +89,24 @@ def test_the_licence_is_the_apache_licence_whole() -> None:
     text = (ROOT / "LICENSE").read_text()
     assert "Apache License" in text.splitlines()[1]
     assert "END OF TERMS AND CONDITIONS" in text
+
+
+def unlicensed(folder: Path) -> set[str]:
+    """C files of a generated folder that do not say whose they are."""
+    line = f"SPDX-License-Identifier: {LICENCE} */"
+    return {path.name for path in folder.glob("*.[ch]") if line not in path.read_text()}
+
+
+def test_generated_c_says_whose_it_is_as_the_notice_does(stock_folder: Path) -> None:
+    assert f"SPDX identifier {LICENCE}" in (ROOT / "NOTICE").read_text()
+    assert unlicensed(stock_folder) == set()
+
+
+def test_generated_c_that_does_not_say_so_is_noticed(stock_folder: Path, tmp_path: Path) -> None:
+    folder = Path(shutil.copytree(stock_folder, tmp_path / "generated"))
+    types = folder / "tb_types.h"
+    types.write_text(types.read_text().replace(LICENCE, "Apache-2.0"))
+    assert unlicensed(folder) == {"tb_types.h"}
 
 
 def test_the_workflow_runs_what_a_newcomer_runs() -> None:

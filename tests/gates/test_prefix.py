@@ -13,8 +13,8 @@ from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction, batch_source, signatures
 from turnbuckle.codegen.compile import compiled
 from turnbuckle.codegen.generate import MANIFEST, render, write
-from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.prefix import (
     KEYWORDS,
     PrefixError,
