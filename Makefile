@@ -19,7 +19,7 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 SETUP_INPUTS := requirements.lock pyproject.toml .ci/packages
 SETUP := $(VENV)/setup-$(shell cat $(SETUP_INPUTS) | sha256sum | cut -c 1-16)
 
-.PHONY: all help setup generate verify build demo test soak campaign mutants figures bench lint lock clean distclean
+.PHONY: all help setup generate verify build demo test soak campaign fuzz mutants figures bench lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -93,14 +93,18 @@ WORKERS ?= $(shell expr $$(nproc) + 1)
 test: lint ## lint, then every test
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
-soak: $(SETUP) ## ten simulated minutes of the stock machine on its buses, twice; no setpoint wrong, no bit different
+soak: $(SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires
 	$(VENV)/bin/python -m turnbuckle.lab.soak $(CYCLES:%=--cycles %)
+	$(VENV)/bin/python -m pytest tests/wire/every_machine_on_its_wires.py
 
 campaign: $(SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
-	EVERY_MOMENT=1 $(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py \
+	WHOLE_CAMPAIGN=1 $(VENV)/bin/python -m pytest -n 2 tests/faults/test_campaign.py \
 	  tests/faults/test_pairs.py tests/faults/test_power_on.py -k "not committed"
 	cp build/fault_campaign.md docs/fault-campaign.md
+
+fuzz: $(SETUP) ## ten minutes of random bytes into everything that parses; SECONDS=60: so long
+	FUZZ_SECONDS=$(or $(SECONDS),600) $(VENV)/bin/python -m pytest -n 2 tests/fuzz -k "are_taken"
 
 mutants: $(SETUP) ## make small defects in the runtime, one at a time, and see the tests notice: docs/mutants.md
 	$(VENV)/bin/python -m turnbuckle.lab.mutants $(COUNT:%=--count %)

@@ -2,122 +2,29 @@
 
 import hashlib
 import json
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import casadi
 import jinja2
 
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bus.dbc import dbc_files
 from turnbuckle.codegen.bus.drives import drive_fields
-from turnbuckle.codegen.chain import Chain, chain
-from turnbuckle.codegen.composite import Item, Procedure, fingerprint, loop
+from turnbuckle.codegen.chain import Chain
+from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.constants import constants
 from turnbuckle.codegen.emit import CFunction, emit, emit_alias
-from turnbuckle.codegen.enumeration import enumeration
 from turnbuckle.codegen.folder import write_folder
-from turnbuckle.codegen.ir import Routine
-from turnbuckle.codegen.lower import lower
-from turnbuckle.codegen.simplify import simplify
+from turnbuckle.codegen.identity import CASADI_VERSION, GENERATOR_VERSION, machine_hash
+from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.model.machine import Machine
-from turnbuckle.model.refusal import Refusal
-from turnbuckle.model.symbolic.composition import Composite, Composition
-from turnbuckle.model.symbolic.function import Input, ModelFunction, Output, Repeat, Status
-from turnbuckle.model.symbolic.sweep import Sweep
-from turnbuckle.model.symbolic.topics import TOPICS, model_composites, model_functions
+from turnbuckle.model.symbolic.function import Input, Output, Status
+from turnbuckle.model.symbolic.topics import TOPICS
 
-GENERATOR_VERSION = "0.1.4"
-CASADI_VERSION: str = casadi.CasadiMeta.version()
 MANIFEST = "manifest.json"
 TEMPLATES = Path(__file__).parent / "templates"
-#: Tables of a machine file that say nothing about a machine without buses.
-BUS_TABLES: dict[str, Any] = {
-    "buses": True,
-    "drives": True,
-    "nodes": True,
-    "supervision": True,
-    "calibration": True,
-    "cable_motor": {"rating"},
-    "rail_drive": {"rating", "homing"},
-}
-
-
-class GenerateError(Refusal):
-    """The C cannot be written; the text says what stands in the way."""
-
-
-@dataclass(frozen=True)
-class Model:
-    """A machine with its functions ready to print, by topic."""
-
-    machine: Machine
-    topics: dict[str, list[Item]]
-
-    def items(self) -> list[Item]:
-        """All functions in order."""
-        return [item for items in self.topics.values() for item in items]
-
-    def aliases(self) -> dict[str, str]:
-        """Functions that are another one under a second name."""
-        return {"distribute_tension": f"distribute_tension_{self.machine.tension.when_infeasible}"}
-
-
-def build_model(machine: Machine) -> Model:
-    """Lower and simplify every function of the machine."""
-    routines = {
-        topic: [lowered(function) for function in functions]
-        for topic, functions in model_functions(machine).items()
-    }
-    topics: dict[str, list[Item]] = {topic: [*group] for topic, group in routines.items()}
-    known = {item.function.name: item for group in topics.values() for item in group}
-    for topic, composites in model_composites(machine).items():
-        for composite in composites:
-            item = composed(composite, known)
-            known[composite.name] = item
-            topics[topic].append(item)
-    return Model(machine, topics)
-
-
-def composed(composite: Composite, known: dict[str, Item]) -> Item:
-    """A function made of others: of those that are known, or of its own parts."""
-    if isinstance(composite, Repeat):
-        return loop(composite, lowered)
-    if isinstance(composite, Sweep):
-        return enumeration(composite, lowered)
-    if isinstance(composite, Composition):
-        return chain(composite, known, lowered)
-    attempts = tuple(known[name] for name in composite.attempts)
-    return Procedure(composite, attempts, known[composite.substitute])
-
-
-def lowered(function: ModelFunction) -> Routine:
-    """A model function ready to print."""
-    return simplify(lower(function))
-
-
-def machine_hash(model: Model) -> str:
-    """Identifies machine, model, generator and versions: what a running controller reports."""
-    digest = hashlib.sha256()
-    digest.update(f"{GENERATOR_VERSION} {CASADI_VERSION}\n".encode())
-    digest.update(canonical(model.machine).encode())
-    for routine in model.items():
-        digest.update(fingerprint(routine).encode())
-    return digest.hexdigest()[:16]
-
-
-def canonical(machine: Machine) -> str:
-    """The machine's numbers as text; comments and spelling of units do not count.
-
-    Without buses the tables about them say nothing about the C, and do not count either; nor does a
-    list of other nodes that is empty.
-    """
-    without_nodes: dict[str, Any] = {} if machine.nodes else {"nodes": True}
-    left_out = without_nodes if machine.buses else BUS_TABLES
-    content = machine.model_dump(mode="json", by_alias=True, exclude=left_out)
-    return json.dumps(content, sort_keys=True)
 
 
 def render(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:

@@ -19,10 +19,11 @@ from numpy.typing import NDArray
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction, folder_of
-from turnbuckle.codegen.generate import Model, build_model, render
+from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.hard_cases import HardSampler
 from turnbuckle.codegen.judges import JUDGES
 from turnbuckle.codegen.judges.problem import Bools, Expected, Problem
+from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.codegen.processes import forked_workers
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.model.machine import Machine, load_machine

@@ -13,7 +13,8 @@ from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import REALS, Generated, folder_of
 from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate, statuses
-from turnbuckle.codegen.generate import Model, render
+from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.verify import call
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Status

@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, settings
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bind import Generated
-from turnbuckle.codegen.generate import Model, build_model
+from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.model.machine import Machine, load_machine
 
 if TYPE_CHECKING:

@@ -4,6 +4,7 @@ A target is a C file `tests/fuzz/fuzz_NAME.c` with `LLVMFuzzerTestOneInput`; a f
 with are in `tests/fuzz/corpus/NAME`. It traps where what it checks does not hold.
 """
 
+import os
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +22,8 @@ FLAGS = (
     "-fsanitize=fuzzer,address,undefined",
     "-fno-sanitize-recover=all",
 )
+#: Of random input for each target; `make fuzz` gives more.
+SECONDS = int(os.environ.get("FUZZ_SECONDS", "15"))
 #: Kept small: a target reads a few lines or frames, not a file.
 LONGEST_INPUT = 512
 

@@ -5,7 +5,7 @@ An order of cycle k is taken over at the bus's next SYNC and shows in the answer
 
 import ctypes
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cache
@@ -16,6 +16,7 @@ import numpy as np
 
 from turnbuckle.codegen.bind import keep_text
 from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab.causes import causes
 
 ROOT = Path(__file__).parents[1]
 CORE = ROOT / "runtime" / "core"
@@ -35,13 +36,18 @@ def names(header: str, prefix: str) -> type[IntEnum]:
     body = text[start : text.index("}", start)]
     lines = [line.strip() for line in body.splitlines() if line.strip().startswith(prefix)]
     keys = [line.split(",")[0].split("=")[0].split("/*")[0].strip() for line in lines]
-    values = {key.removeprefix(prefix): number for number, key in enumerate(keys)}
-    return IntEnum(prefix.strip("_"), values)  # type: ignore[return-value]
+    return numbered(prefix.strip("_"), (key.removeprefix(prefix) for key in keys))
+
+
+def numbered(name: str, members: Iterable[str]) -> type[IntEnum]:
+    """An enumeration that counts from 0."""
+    values = {member: number for number, member in enumerate(members)}
+    return IntEnum(name, values)  # type: ignore[return-value]
 
 
 State: Any = names("supervisor.h", "TB_STATE_")
 Phase: Any = names("supervisor.h", "TB_PHASE_")
-Cause: Any = names("cause.h", "TB_CAUSE_")
+Cause: Any = numbered("CAUSE", (cause.name for cause in causes()))
 Power: Any = names("drive.h", "TB_POWER_")
 Goal: Any = names("drive.h", "TB_GOAL_")
 Mode: Any = names("drive.h", "TB_MODE_")

@@ -8,8 +8,9 @@ from built import optimised
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import Generated, folder_of
 from turnbuckle.codegen.composite import Item
-from turnbuckle.codegen.generate import Model, composed, render
+from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.model import Model, composed
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.machine import Machine, load_machine
 from turnbuckle.model.symbolic.topics import TOPICS, model_composites

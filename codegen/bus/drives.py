@@ -3,6 +3,7 @@
 from math import inf
 
 from turnbuckle.codegen.bus.contract import Object, contract, identity
+from turnbuckle.codegen.bus.process_data import process_data
 from turnbuckle.codegen.constants import Constant, real
 from turnbuckle.codegen.print_c import literal
 from turnbuckle.model.bus.axis import Axis, axes
@@ -30,6 +31,7 @@ def groups(machine: Machine) -> list[tuple[str, list[Constant]]]:
         ("", sizes(machine)),
         ("Times", times(machine)),
         ("Supervision", supervision(machine)),
+        ("Process data", process_data()),
         ("Base drives", base_drives(machine)),
         ("Calibration of the cables' zeros", calibration(machine)),
     ]

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine 80532828b8e0bcaf, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

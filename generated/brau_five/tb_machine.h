@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
- * Machine 80532828b8e0bcaf, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine f2fcb35bc8a398b0, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_five"
-#define TB_MACHINE_HASH "80532828b8e0bcaf"
+#define TB_MACHINE_HASH "f2fcb35bc8a398b0"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 5

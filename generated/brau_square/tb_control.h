@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine c4a8899fecc046ea, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
- * Machine c4a8899fecc046ea, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 8bbf564b3b81a250, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_square"
-#define TB_MACHINE_HASH "c4a8899fecc046ea"
+#define TB_MACHINE_HASH "8bbf564b3b81a250"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

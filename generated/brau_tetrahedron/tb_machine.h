@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine b1d46e7e3d95b7f2, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_tetrahedron"
-#define TB_MACHINE_HASH "b1d46e7e3d95b7f2"
+#define TB_MACHINE_HASH "aba197bf86af0ba9"
 
 #define TB_DOF 3 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
- * Machine b1d46e7e3d95b7f2, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine aba197bf86af0ba9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"

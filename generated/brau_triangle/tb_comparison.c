@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 13dab9500bf8b1f7, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_comparison.h"
 
 tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2], real_t

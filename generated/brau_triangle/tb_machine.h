@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
- * Machine 13dab9500bf8b1f7, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine a16359e685adcca9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "brau_triangle"
-#define TB_MACHINE_HASH "13dab9500bf8b1f7"
+#define TB_MACHINE_HASH "a16359e685adcca9"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 3

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 90b40832cbe22a5a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "planar_rigid"
-#define TB_MACHINE_HASH "90b40832cbe22a5a"
+#define TB_MACHINE_HASH "603c3d5933642b1b"
 
 #define TB_DOF 3 /* degrees of freedom of the platform */
 #define TB_CABLES 6

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
- * Machine 90b40832cbe22a5a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 603c3d5933642b1b, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_QUALITY_H
 #define TB_QUALITY_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 04f8a1c042ccc9ad, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "spidar_g"
-#define TB_MACHINE_HASH "04f8a1c042ccc9ad"
+#define TB_MACHINE_HASH "d9b7c0f26af9ec33"
 
 #define TB_DOF 6 /* degrees of freedom of the platform */
 #define TB_CABLES 8

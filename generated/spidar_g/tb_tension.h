@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 04f8a1c042ccc9ad, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine d9b7c0f26af9ec33, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_TENSION_H
 #define TB_TENSION_H
 

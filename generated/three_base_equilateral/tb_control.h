@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine 1d39791f30c65708, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_CONTROL_H
 #define TB_CONTROL_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
- * Machine 1d39791f30c65708, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine b9ced6e4aff55249, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "three_base_equilateral"
-#define TB_MACHINE_HASH "1d39791f30c65708"
+#define TB_MACHINE_HASH "b9ced6e4aff55249"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 3

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine e0b07655b2c5ad4a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine e0b07655b2c5ad4a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_DRIVES_H
 #define TB_DRIVES_H
 
@@ -32,6 +32,18 @@
 #define TB_RAIL_LAG_CYCLES 200 /* cycles beyond it that are bridged */
 #define TB_BLOCKED_CYCLES 20 /* cycles that a carriage may stand still while it is pushed at its limit */
 #define TB_BLOCKED_TRAVEL TB_C(0.0002) /* m, motion that is none yet */
+
+/* Process data */
+#define TB_STATUS_LENGTH 8 /* bytes */
+#define TB_STATUS_STATUSWORD 0 /* byte of 6041h, 16 bits */
+#define TB_STATUS_POSITION 2 /* byte of 6064h, 32 bits */
+#define TB_STATUS_TORQUE 6 /* byte of 6077h, 16 bits */
+#define TB_TORQUE_COMMAND_LENGTH 4 /* bytes */
+#define TB_TORQUE_COMMAND_CONTROLWORD 0 /* byte of 6040h, 16 bits */
+#define TB_TORQUE_COMMAND_TORQUE 2 /* byte of 6071h, 16 bits */
+#define TB_POSITION_COMMAND_LENGTH 6 /* bytes */
+#define TB_POSITION_COMMAND_CONTROLWORD 0 /* byte of 6040h, 16 bits */
+#define TB_POSITION_COMMAND_POSITION 2 /* byte of 607Ah, 32 bits */
 
 /* Base drives */
 #define TB_RAIL_LENGTHS {TB_C(0.7118), TB_C(0.4618), TB_C(0.7118), TB_C(0.4618)} /* m (TB_RAIL_SLOTS) */

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine e0b07655b2c5ad4a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine cbabd048a8cd82f0, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon2023"
-#define TB_MACHINE_HASH "e0b07655b2c5ad4a"
+#define TB_MACHINE_HASH "cbabd048a8cd82f0"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine f74f97bf3ac28814, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_control.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])

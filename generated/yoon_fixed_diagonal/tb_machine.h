@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine f74f97bf3ac28814, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 46bec6a745675823, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon_fixed_diagonal"
-#define TB_MACHINE_HASH "f74f97bf3ac28814"
+#define TB_MACHINE_HASH "46bec6a745675823"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 31f366e07fde5e74, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon_fixed_orthogonal"
-#define TB_MACHINE_HASH "31f366e07fde5e74"
+#define TB_MACHINE_HASH "570149f0a586ffd9"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

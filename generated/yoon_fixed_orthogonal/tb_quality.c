@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 31f366e07fde5e74, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_quality.h"
 
 tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], real_t tension[4])

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
- * Machine 31f366e07fde5e74, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine 570149f0a586ffd9, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #include "tb_statics.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])

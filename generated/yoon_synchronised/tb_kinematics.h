@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine a6ca40858d43110a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_KINEMATICS_H
 #define TB_KINEMATICS_H
 

@@ -1,12 +1,12 @@
 /* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
- * Machine a6ca40858d43110a, generator 0.1.4, casadi 3.8.2. Do not edit. */
+ * Machine c12ef0bde46ad28a, generator 0.1.4, casadi 3.8.2. Do not edit. */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
 
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon_synchronised"
-#define TB_MACHINE_HASH "a6ca40858d43110a"
+#define TB_MACHINE_HASH "c12ef0bde46ad28a"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

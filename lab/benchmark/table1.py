@@ -12,7 +12,8 @@ import numpy as np
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import folder_of
 from turnbuckle.codegen.composite import Item
-from turnbuckle.codegen.generate import Model, composed, lowered, render
+from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.model import Model, composed, lowered
 from turnbuckle.lab.benchmark.solvers.kernel import DAQP, QUADPROG, kernel_daqp, kernel_quadprog
 from turnbuckle.lab.benchmark.solvers.reduced import REDUCED, reduced
 from turnbuckle.lab.benchmark.solvers.solver import Solver

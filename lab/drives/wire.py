@@ -40,6 +40,14 @@ class Conditions:
     errors: float = 0.0
 
 
+#: By the names that a user may give them.
+WIRES = {
+    "ordinary": Conditions(),
+    "worst": Conditions(worst=True),
+    "disturbed": Conditions(seed=7, errors=0.002),
+}
+
+
 @dataclass(frozen=True)
 class Wire:
     """The wire of one bus; bit_rate [bit/s]; answer_delay: most from SYNC until a drive's answer is

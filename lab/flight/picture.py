@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from turnbuckle.lab.flight.recording import Recording
 from turnbuckle.lab.flight.table import SUPERVISOR, along, in_words, times
-from turnbuckle.lab.flight.words import words
+from turnbuckle.lab.flight.words import cause_names, words
 from turnbuckle.lab.pictures import write_picture
 from turnbuckle.lab.plots import CABLES, FAINT, INK, MM, STYLE
 
@@ -115,7 +115,7 @@ def draw_residual(
 def mark_cause(axes: NDArray[Any], recording: Recording, time: NDArray[np.float64]) -> None:
     """A line where a cause was latched, named on top."""
     numbers = recording.cycles["orders"]["cause"]
-    names = in_words(numbers, words("tb_cause", "core/cause.h"))
+    names = in_words(numbers, cause_names())
     new = np.flatnonzero((numbers[1:] != 0) & (np.diff(numbers.astype(int)) != 0)) + 1
     for index in new:
         for each in axes:

@@ -13,7 +13,9 @@ from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bind import folder_of, pointer
 from turnbuckle.codegen.compile import compile_library
 from turnbuckle.codegen.controller import RUNTIME_CORE
-from turnbuckle.codegen.generate import build_model, machine_hash, render
+from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.identity import machine_hash
+from turnbuckle.codegen.model import build_model
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import Recording, Records, Segment
 

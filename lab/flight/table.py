@@ -12,7 +12,7 @@ from pyarrow import csv, parquet
 
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import Recording
-from turnbuckle.lab.flight.words import words
+from turnbuckle.lab.flight.words import cause_names, words
 from turnbuckle.model.bus.axis import drive_names
 from turnbuckle.model.files import refuse_foreign_file, write_whole
 from turnbuckle.model.machine import Machine
@@ -83,7 +83,7 @@ def states(seen: Column, orders: Column) -> Columns:
     """What the machine does, and why."""
     yield "state", in_words(orders["state"], words("tb_state", SUPERVISOR))
     yield "phase", orders["phase"]
-    yield "cause", in_words(orders["cause"], words("tb_cause", "core/cause.h"))
+    yield "cause", in_words(orders["cause"], cause_names())
     for name in ("culprit", "index", "subindex"):
         yield name, orders[name]
     yield "failure", in_words(orders["failure"], words("tb_failure", DRIVE))

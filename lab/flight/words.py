@@ -4,6 +4,7 @@ import re
 from functools import cache
 from itertools import takewhile
 
+from turnbuckle.lab.causes import causes
 from turnbuckle.places import RUNTIME
 
 
@@ -21,3 +22,8 @@ def words(enumeration: str, header: str) -> tuple[str, ...]:
     columns = zip(*names, strict=False)
     shared = sum(1 for _ in takewhile(lambda parts: len(set(parts)) == 1, columns))
     return tuple(" ".join(parts[shared:]).lower() for parts in names)
+
+
+def cause_names() -> tuple[str, ...]:
+    """The causes, as `cable break` for TB_CAUSE_CABLE_BREAK."""
+    return tuple(cause.name.replace("_", " ").lower() for cause in causes())

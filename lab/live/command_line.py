@@ -42,6 +42,13 @@ def run(
             " or, with --bus, on interfaces of the kernel, such as cable1=socketcan:vcan0.",
         ),
     ] = False,
+    wire: Annotated[
+        Literal["ordinary", "worst", "disturbed"],
+        typer.Option(
+            help="Simulated wires on which frames take their usual time, the longest that the bus"
+            " proof allows, or are destroyed now and then."
+        ),
+    ] = "ordinary",
     arm: Annotated[
         bool, typer.Option("--arm", help="Arm as soon as every drive is configured.")
     ] = False,
@@ -108,7 +115,7 @@ def run(
     from turnbuckle.lab.live.run import Order, Voices, run_machine
     from turnbuckle.model.machine import load_machine
 
-    refuse_contradictions(sim, bus, seconds)
+    refuse_contradictions(sim, wire, bus, seconds)
     machine = load_machine(file)
     further = [f"--cpu={cpu}"] if cpu is not None else []
     if priority is not None:
@@ -116,6 +123,7 @@ def run(
     order = Order(
         buses=bus or (),
         simulated=sim,
+        wire=wire,
         arm=arm,
         seconds=seconds,
         record=record,
@@ -129,8 +137,12 @@ def run(
         raise typer.Exit(status)
 
 
-def refuse_contradictions(sim: bool, bus: list[str] | None, seconds: float | None) -> None:
+def refuse_contradictions(
+    sim: bool, wire: str, bus: list[str] | None, seconds: float | None
+) -> None:
     """Options that do not go together."""
+    if wire != "ordinary" and not sim:
+        raise typer.BadParameter(f"--wire {wire} is for simulated drives: add --sim")
     if sim and not all("=socketcan:" in each for each in bus or ()):
         raise typer.BadParameter(
             "--bus is for real adapters, --sim for simulated drives; together they take interfaces"

@@ -3,7 +3,8 @@
 import subprocess
 from pathlib import Path
 
-from turnbuckle.codegen.generate import build_model, machine_hash
+from turnbuckle.codegen.identity import machine_hash
+from turnbuckle.codegen.model import build_model
 from turnbuckle.lab.live import LiveError
 from turnbuckle.model.machine import Machine
 

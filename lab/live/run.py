@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from turnbuckle.codegen.processes import hear_of_death
+from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.identity import refuse_other
 from turnbuckle.lab.live.program import build_program
@@ -42,6 +43,8 @@ class Order:
     buses: Sequence[str] = ()
     """NAME=ADAPTER:DEVICE, as the program takes them."""
     simulated: bool = False
+    wire: str = "ordinary"
+    """What simulated wires are like: one of WIRES."""
     arm: bool = False
     seconds: float | None = None
     record: Path | None = None
@@ -67,7 +70,8 @@ def run_machine(machine: Machine, order: Order, voices: Voices) -> int:
     with ExitStack() as stack:
         reach = [f"--bus={bus}" for bus in order.buses]
         if order.simulated:
-            drives = simulated_drives(bench_of(machine), telemetry, order.buses)
+            bench = bench_of(machine)._replace(conditions=WIRES[order.wire])
+            drives = simulated_drives(bench, telemetry, order.buses)
             reach = stack.enter_context(drives)
         process = start(program, [*reach, *arguments(machine, order)])
         stack.callback(finish, process)

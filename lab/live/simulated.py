@@ -18,11 +18,12 @@ from can.interfaces.socketcan import SocketcanBus
 
 from turnbuckle.lab.drives.simulated_clock import SimulatedClock
 from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter
+from turnbuckle.lab.drives.wire import Conditions
 from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.telemetry import Telemetry, running
 from turnbuckle.lab.live.words import STATES
 from turnbuckle.lab.lockstep import SWEEP
-from turnbuckle.lab.machine_sim import SimulatedMachine
+from turnbuckle.lab.machine_sim import ORDINARY, SimulatedMachine
 from turnbuckle.lab.task import Task
 from turnbuckle.model.machine import Machine, Plant
 
@@ -43,10 +44,14 @@ class Bench(NamedTuple):
     """Without plant and task a hand holds the platform fast and leads it."""
     rails: Sequence[float] | None = None
     """Where the bases were left [m] (m); None for anywhere."""
+    conditions: Conditions = ORDINARY
+    """What the wires are like."""
 
     def power_on(self) -> SimulatedMachine:
         """The machine, switched on now."""
-        return SimulatedMachine(self.machine, self.plant, self.task, self.rails)
+        return SimulatedMachine(
+            self.machine, self.plant, self.task, self.rails, conditions=self.conditions
+        )
 
 
 @contextmanager

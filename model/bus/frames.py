@@ -48,15 +48,23 @@ POSITION = Mapped("position", 0x6064, 32, True)
 TORQUE = Mapped("torque", 0x6077, 16, True)
 
 
+#: RPDO1, by what a drive follows at work: what the master sends to the drive with every SYNC.
+COMMANDS: dict[str, tuple[Mapped, ...]] = {
+    "torque": (CONTROLWORD, TARGET_TORQUE),
+    "position": (CONTROLWORD, TARGET_POSITION),
+}
+#: TPDO1: what a drive answers to every SYNC.
+STATUS: tuple[Mapped, ...] = (STATUSWORD, POSITION, TORQUE)
+
+
 def rpdo_map(drive: Drive) -> tuple[Mapped, ...]:
-    """What the master sends to a drive with every SYNC."""
-    target = TARGET_POSITION if drive.mode == "position" else TARGET_TORQUE
-    return CONTROLWORD, target
+    """RPDO1 of a drive."""
+    return COMMANDS[drive.mode]
 
 
 def tpdo_map(drive: Drive) -> tuple[Mapped, ...]:
-    """What a drive answers to every SYNC."""
-    return STATUSWORD, POSITION, TORQUE
+    """TPDO1 of a drive."""
+    return STATUS
 
 
 def pdo_bytes(mapped: Sequence[Mapped]) -> int:

@@ -1,7 +1,5 @@
-/* Process data: RPDO1 and TPDO1 as the contract of every drive maps them.
- *
- *   RPDO1   controlword 6040h (16 bits), target torque 6071h (16) or target position 607Ah (32)
- *   TPDO1   statusword 6041h (16), position 6064h (32), torque 6077h (16) */
+/* Process data: RPDO1 and TPDO1 as the contract of every drive maps them. Where each object is in them
+ * stands in tb_drives.h, from the same table as the contract. */
 #ifndef TB_PDO_H
 #define TB_PDO_H
 

@@ -8,26 +8,15 @@
 #define DEAF_SHARE TB_C(0.125)
 #define DEAF_CYCLES 100u
 
+#define SOFT false
+#define HARD true
+#define REACTION(name, culprit, reaction, words, advice) [TB_CAUSE_##name] = reaction,
+
+static const bool hard[] = {TB_CAUSES(REACTION)};
+
 bool tb_is_hard(tb_cause cause)
 {
-    switch (cause) {
-    case TB_CAUSE_DRIVE_SILENT:
-    case TB_CAUSE_DRIVE_FAULT:
-    case TB_CAUSE_DRIVE_STATE:
-    case TB_CAUSE_DRIVE_DEAF:
-    case TB_CAUSE_BUS_OFF:
-    case TB_CAUSE_ENCODER_JUMP:
-    case TB_CAUSE_CABLE_BREAK:
-    case TB_CAUSE_RUNAWAY:
-    case TB_CAUSE_MEMORY:
-    case TB_CAUSE_BASE_RUNAWAY:
-    case TB_CAUSE_BASE_BLOCKED:
-    case TB_CAUSE_WRONG_WAY:
-    case TB_CAUSE_DRIVE_LOCAL:
-        return true;
-    default:
-        return false;
-    }
+    return (cause < TB_CAUSE_COUNT) && hard[cause];
 }
 
 bool tb_is_in_fault(const tb_drive_report *report)

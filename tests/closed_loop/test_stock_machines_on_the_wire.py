@@ -8,7 +8,7 @@ from seeded import runtime_with
 
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.lab.demo import plan_task, plant_of
-from turnbuckle.lab.drives.wire import Conditions
+from turnbuckle.lab.drives.wire import WIRES, Conditions
 from turnbuckle.lab.lockstep import Lockstep, State
 from turnbuckle.lab.machine_sim import SimulatedMachine
 from turnbuckle.model.machine import Machine, load_machine
@@ -19,11 +19,6 @@ MACHINES = [
     for path in sorted((ROOT / "machines").glob("*.toml"))
     if (ROOT / "generated" / path.stem / "tb_drives.h").exists()
 ]
-WIRES = {
-    "ordinary": Conditions(),
-    "worst": Conditions(worst=True),
-    "disturbed": Conditions(seed=7, errors=0.002),
-}
 IMPATIENT = (
     "core/measurement.c",
     "return measurement->tracks[drive].age < tb_buses[tb_drives[drive].bus].divider;",

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.composite import Item
-from turnbuckle.codegen.generate import composed
 from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.model import composed
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.kind import KINDS
 from turnbuckle.model.machine import Machine, load_machine

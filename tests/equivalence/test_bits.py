@@ -7,8 +7,8 @@ import pytest
 
 from turnbuckle.codegen.bind import REALS, Generated
 from turnbuckle.codegen.evaluate import DOUBLE, FLOAT, evaluate
-from turnbuckle.codegen.generate import Model
 from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.verify import call
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Status

@@ -13,7 +13,7 @@ from scipy.spatial import ConvexHull
 
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.codegen.composite import Item
-from turnbuckle.codegen.generate import composed, lowered
+from turnbuckle.codegen.model import composed, lowered
 from turnbuckle.model.kind import KINDS
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic import comparison

@@ -15,7 +15,7 @@ from turnbuckle.codegen.bind import REALS, Generated
 from turnbuckle.codegen.chain import Chain, chain
 from turnbuckle.codegen.composite import Item
 from turnbuckle.codegen.enumeration import enumeration
-from turnbuckle.codegen.generate import composed, lowered
+from turnbuckle.codegen.model import composed, lowered
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic import arguments, kinematic_functions, quality_by_facets, tension
 from turnbuckle.model.symbolic.function import ModelFunction, Status, vector_output

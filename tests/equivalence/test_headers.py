@@ -5,9 +5,9 @@ import pytest
 
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import REALS, Generated
-from turnbuckle.codegen.generate import Model
 from turnbuckle.codegen.judges import JUDGES
 from turnbuckle.codegen.judges.problem import Problem
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.codegen.verify import call, drawn
 from turnbuckle.model.machine import Machine

@@ -15,9 +15,9 @@ import sympy as sp
 from unmeasured import machine_named
 
 from turnbuckle.codegen.evaluate import Arithmetic, evaluate
-from turnbuckle.codegen.generate import Model
 from turnbuckle.codegen.ir import Routine
 from turnbuckle.codegen.lower import lower
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.base import BaseMotion
 from turnbuckle.model.machine import Machine

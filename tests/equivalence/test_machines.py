@@ -10,7 +10,8 @@ import turnbuckle.codegen.verify
 from turnbuckle.codegen import accuracy, accuracy_cache
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import REALS, Generated, folder_of
-from turnbuckle.codegen.generate import Model, build_model, render
+from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.codegen.verify import Row, Trial, verify
 from turnbuckle.model.machine import load_machine
 

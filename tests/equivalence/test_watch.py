@@ -1,14 +1,14 @@
 """The watch over the cables: every cable slack and broken, on machines of several kinds."""
 
-import re
 from typing import NamedTuple
 
 import numpy as np
 import pytest
-from bare_core import CLOSURE, CORE, Kinematics, Part, in_slots, kinematics_of, slots, source
+from bare_core import CLOSURE, Kinematics, Part, in_slots, kinematics_of, slots, source
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.bind import REALS
+from turnbuckle.lab.causes import causes
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reference import kinematics
 
@@ -21,7 +21,7 @@ DELTA = 0.01
 """How much longer or shorter a faulty cable is than its drive says [m]."""
 COUNT = 7.67e-6
 """One count of a cable's encoder [m]."""
-FACTS = re.findall(r"^ +TB_CAUSE_(\w+)", (CORE / "cause.h").read_text(), re.MULTILINE)
+FACTS = [cause.name for cause in causes()]
 NONE, SLACK, BREAK, RUNAWAY, CLOSED, BASE_LOST = (
     FACTS.index(name)
     for name in ("NONE", "CABLE_SLACK", "CABLE_BREAK", "RUNAWAY", "CLOSURE", "BASE_LOST")

@@ -77,7 +77,7 @@ asked = st.lists(
 def test_many_faults_at_once_leave_no_torque(journey: Journey, moment: Moment) -> None:
     bench = journey.at(moment)
 
-    @settings(max_examples=8)
+    @settings(max_examples=5)
     @given(blows, asked)
     def rage(faults: list[tuple[int, Fault]], requests: list[Request]) -> None:
         assert in_a_fork(lambda: Storm(moment, faults, requests).rage(bench)) == []

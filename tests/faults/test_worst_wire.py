@@ -14,7 +14,7 @@ from verdict import complaints, expected
 from turnbuckle.lab.drives.wire import Conditions
 
 TRIED = [moment_of(name) for name in ("HOME SWEEP", "TENSION", "RUN")]
-FAULTS_EACH, PAIRS_EACH = 40, 25
+FAULTS_EACH, PAIRS_EACH = 25, 15
 #: The answers to twice as many SYNCs do not fit on a cable bus at its worst: drives are late there.
 CROWDING = {"bus cable1: SYNC doubled always", "bus cable2: SYNC doubled always"}
 

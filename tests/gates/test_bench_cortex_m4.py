@@ -90,7 +90,7 @@ def test_single_precision_is_that_of_the_host(emulator: Emulator) -> None:
 def test_a_function_that_hangs_is_caught(
     emulator: Emulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("lab.benchmark.cortex_m4.emulator.MOST_INSTRUCTIONS", 10_000)
+    monkeypatch.setattr("turnbuckle.lab.benchmark.cortex_m4.emulator.MOST_INSTRUCTIONS", 10_000)
     with pytest.raises(RuntimeError, match="spin did not return"):
         emulator.call("spin")
 

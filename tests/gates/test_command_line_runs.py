@@ -10,7 +10,8 @@ import pytest
 from typer.testing import CliRunner
 
 from turnbuckle.codegen.accuracy import Accuracy
-from turnbuckle.codegen.generate import Model, render
+from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.model import Model
 from turnbuckle.command_line import app
 from turnbuckle.model.machine import load_machine
 

@@ -11,14 +11,16 @@ from pathlib import Path
 import pytest
 
 from turnbuckle.codegen.accuracy import Accuracy
-from turnbuckle.codegen.generate import Model, render
+from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.model import Model
 
 ROOT = Path(__file__).parents[2]
 REGENERATE = """
 import hashlib, sys
 from pathlib import Path
 import turnbuckle.codegen.accuracy_cache as cache
-from turnbuckle.codegen.generate import build_model, render
+from turnbuckle.codegen.model import build_model
+from turnbuckle.codegen.generate import render
 from turnbuckle.model.machine import load_machine
 machine = load_machine(sys.argv[1])
 model = build_model(machine)

@@ -12,7 +12,7 @@ import pytest
 
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.bind import Generated
-from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.verify import Trial
 
 POINTS = 250

@@ -14,7 +14,7 @@ from turnbuckle.lab.mutants.report import judge
 from turnbuckle.lab.mutants.trial import SURVIVES, Verdict
 
 ROOT = Path(__file__).parents[2]
-COUNT, SEED = 8, 4
+COUNT, SEED = 4, 4
 #: In a process of its own: the tests of a mutant run in forks of it.
 TRY = """
 import json, sys

@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction
-from turnbuckle.codegen.generate import Model
+from turnbuckle.codegen.model import Model
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.codegen.verify import call
 from turnbuckle.model.machine import Machine

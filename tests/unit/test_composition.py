@@ -12,7 +12,7 @@ from test_sweep import COLUMNS, ROWS, longest_sum
 from turnbuckle.codegen.bind import REALS
 from turnbuckle.codegen.chain import Chain, chain
 from turnbuckle.codegen.composite import Item, cost, fingerprint, most_visits
-from turnbuckle.codegen.generate import lowered
+from turnbuckle.codegen.model import lowered
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.composition import Call, Composition
 from turnbuckle.model.symbolic.function import (

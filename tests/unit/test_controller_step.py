@@ -214,6 +214,17 @@ def test_a_controller_started_on_a_bad_reading_waits_safely_for_a_good_one(
     assert np.abs(outputs.velocity[10]).max() <= eps(outputs) * machine.control.rate
 
 
+def test_a_controller_that_searches_its_pose_is_started_where_the_platform_is() -> None:
+    generated = committed("planar_rigid", "double")
+    machine = generated.machine
+    pose = np.add([*machine.target.centre, 0.0], [0.02, -0.015, 0.1])
+    rails = np.array([0.4 * rail.length for rail in machine.rails])
+    lengths = generated.cable_lengths(pose, rails)
+    controller = Controller(generated)
+    assert controller.start(lengths, rails) == Status.OK
+    assert np.allclose(controller.memory["pose"][0], pose, rtol=0, atol=1e-9)
+
+
 def test_torques_and_the_memory_of_bases_are_taken_over(controller: Controller) -> None:
     torque, base = (np.arange(controller.memory[name].size) + 0.5 for name in ("torque", "base"))
     before = controller.memory.copy()
@@ -300,7 +311,7 @@ def test_a_library_of_another_layout_is_refused(
     generated: Generated, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     wrong = {"double": np.float32, "float": np.float64}
-    monkeypatch.setattr("codegen.controller.REALS", wrong)
+    monkeypatch.setattr("turnbuckle.codegen.controller.REALS", wrong)
     with pytest.raises(RuntimeError, match=r"tb_inputs has \d+ bytes in the library"):
         Controller(generated)
 

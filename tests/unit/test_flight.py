@@ -27,7 +27,7 @@ from turnbuckle.lab.flight.recording import (
 )
 from turnbuckle.lab.flight.replay import Supervisor, compile_supervisor, run_again
 from turnbuckle.lab.flight.table import times
-from turnbuckle.lab.flight.words import words
+from turnbuckle.lab.flight.words import cause_names, words
 from turnbuckle.model.machine import load_machine
 
 MACHINE = STOCK.parents[1] / "machines" / "yoon2023.toml"
@@ -475,7 +475,7 @@ def test_a_log_of_another_kind_is_refused(dump: Path, tmp_path: Path) -> None:
 
 def test_the_words_are_those_of_the_headers() -> None:
     assert words("tb_state", "core/supervisor.h")[State.SOFT_STOP] == "soft stop"
-    assert words("tb_cause", "core/cause.h")[Cause.CABLE_BREAK] == "cable break"
+    assert cause_names()[Cause.CABLE_BREAK] == "cable break"
 
 
 def test_time_goes_on_over_skipped_cycles(recording: Recording) -> None:

@@ -8,9 +8,8 @@ from typing import Any
 
 import pytest
 
-from turnbuckle.codegen.generate import canonical
 from turnbuckle.model.bus.axis import axes, drive_names
-from turnbuckle.model.machine import Machine, MachineError, load_machine, machine_from
+from turnbuckle.model.machine import Machine, MachineError, machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
@@ -235,26 +234,3 @@ def test_other_nodes_may_say_what_nobody_else_says_on_their_bus() -> None:
     (io,) = machine.nodes
     assert io.identifiers == (0x714, 0x194, 0x094)
     edited(node({**IO, "name": "other", "bus": "cable1"}))
-
-
-def test_a_machine_without_other_nodes_is_the_machine_it_was() -> None:
-    assert canonical(edited(lambda tables: tables.update(node=[]))) == canonical(
-        load_machine(STOCK)
-    )
-    assert canonical(edited(node())) != canonical(load_machine(STOCK))
-    assert canonical(edited(frames({"id": 5}))) != canonical(edited(frames({"id": 6})))
-
-
-def test_what_is_said_about_buses_alone_does_not_count_without_them() -> None:
-    bare = edited(without_buses)
-    words = canonical(bare)
-    for key in ('"bus"', '"drive": [', "supervision", "calibration", "rating", "homing"):
-        assert key not in words
-
-
-@pytest.mark.parametrize(
-    "edit",
-    [drive(0, node=9), bus(rate="500 Hz"), within("supervision", missed_syncs=3)],
-)
-def test_what_is_said_about_buses_counts_with_them(edit: Edit) -> None:
-    assert canonical(edited(edit)) != canonical(load_machine(STOCK))

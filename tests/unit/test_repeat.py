@@ -128,7 +128,9 @@ def test_every_step_costs_and_the_bound_counts() -> None:
 
 
 def test_the_error_of_a_loop_is_measured(stock: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("codegen.samples.Sampler.argument", lambda self, *_: squares(self.count))
+    monkeypatch.setattr(
+        "turnbuckle.codegen.samples.Sampler.argument", lambda self, *_: squares(self.count)
+    )
     found = measure(stock, newton()).results["root"]
     assert 0 < found["double"].error < 1e-10 < found["float"].error < 1.0
 

@@ -300,7 +300,7 @@ def test_lengths_that_disagree_are_found_in_run(moments: tuple[Machine, Moments]
     assert any(machine.orders.slack) or machine.orders.state == State.SOFT_STOP
 
 
-def test_slack_is_told_while_cables_are_watched_and_forgotten_in_a_stop(
+def test_what_the_controller_found_is_forgotten_in_a_stop(
     moments: tuple[Machine, Moments],
 ) -> None:
     machine, saved = moments
@@ -308,10 +308,12 @@ def test_slack_is_told_while_cables_are_watched_and_forgotten_in_a_stop(
     told, spoil = np.zeros(CABLES, dtype=bool), drift(-1.0)
     while machine.orders.state == State.RUN:
         told |= np.array(machine.orders.slack) != 0.0
+        found = any(bytes(machine.orders.controller))
         machine.step(spoil)
-    assert told.all()
+    assert told.all() and found
     machine.step(spoil)
     assert not any(machine.orders.slack)
+    assert not any(bytes(machine.orders.controller))
 
 
 def test_lengths_that_never_agree_keep_the_machine_from_running(

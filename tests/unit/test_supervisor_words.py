@@ -1,11 +1,14 @@
 """States, phases and causes in words."""
 
 import ctypes
+from pathlib import Path
 from typing import Any
 
 import pytest
 import supervised
-from safety_table import rows
+from safety_table import DOCUMENT, rows
+
+from turnbuckle.lab.causes import TABLE, causes, written
 
 WORDS = {"state": supervised.State, "phase": supervised.Phase, "cause": supervised.Cause}
 
@@ -30,10 +33,22 @@ def test_a_number_that_is_none_is_unknown(name: str) -> None:
     assert text(name, 99) == "unknown"
 
 
-def test_the_culprit_is_named_as_in_the_document() -> None:
-    named = {row.cause: row.culprit for row in rows()}
-    for cause in supervised.Cause:
-        assert text("culprit", cause) == named.get(cause.name, "")
+def test_the_document_has_the_words_of_the_table() -> None:
+    document = DOCUMENT.read_text()
+    assert written(document) == document, "run: python -m turnbuckle.lab.causes"
+    assert len(rows()) == len(causes()) - 1
+
+
+def test_a_word_that_changes_in_one_of_them_is_found(tmp_path: Path) -> None:
+    document, table = DOCUMENT.read_text(), tmp_path / "causes.h"
+    table.write_text(TABLE.read_text().replace('"replace it"', '"replace that"'))
+    assert written(document, table) != document
+
+
+def test_the_c_has_the_words_of_the_table() -> None:
+    for number, cause in enumerate(causes()):
+        told = [text(name, number) for name in ("culprit", "cause", "advice")]
+        assert told == [cause.culprit, cause.words, cause.advice]
 
 
 def test_a_cause_is_hard_where_the_document_says_so() -> None:

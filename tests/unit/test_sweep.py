@@ -14,7 +14,7 @@ from turnbuckle.codegen.bind import REALS
 from turnbuckle.codegen.composite import cost, fingerprint, most_visits
 from turnbuckle.codegen.enumeration import Enumeration, enumeration
 from turnbuckle.codegen.evaluate import DOUBLE, evaluate, extended
-from turnbuckle.codegen.generate import lowered
+from turnbuckle.codegen.model import lowered
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import (
     Output,

@@ -1,9 +1,10 @@
 """The executable and the simulated drives on vcan: run by test_bring_up_on_vcan.py in the guest.
 
-Three runs of the executable: one from power-on to work and softly back, one that is killed while it
-pulls the cables, one that loses an interface then. Prints what each was like, as JSON.
+Runs of the executable, as they are named: `stopped` goes from power-on to work and softly back,
+`killed` is killed while it pulls the cables, `unplugged` loses an interface then. Prints what each
+was like, as JSON.
 
-    python tests/wire/bring_up_in_guest.py PROGRAM BENCH
+    python tests/wire/bring_up_in_guest.py PROGRAM BENCH RUN...
 """
 
 import ctypes
@@ -27,7 +28,6 @@ from turnbuckle.lab.live.telemetry import Telemetry, running
 from turnbuckle.lab.live.words import STATES
 from turnbuckle.lab.machine_sim import SimulatedMachine
 
-INTERFACES = ("vcan0", "vcan1", "vcan2")
 UNPLUGGED = "vcan1"
 HERE = Path("/run")
 SHARED = Path("/dev/shm/turnbuckle-vcan")
@@ -80,7 +80,7 @@ class Run:
     def start(self, program: Path, clock: str) -> None:
         """Start the executable, which lives by a clock."""
         SHARED.unlink(missing_ok=True)
-        pairs = zip(self.world.buses, INTERFACES, strict=True)
+        pairs = zip(self.world.buses, interfaces(self.world), strict=True)
         buses = [f"--bus={bus.name}=socketcan:{interface}" for bus, interface in pairs]
         options = ["--arm", "--seal", f"--clock={clock}", f"--telemetry={SHARED}"]
         with (HERE / "said").open("wb") as said:
@@ -141,6 +141,11 @@ class Run:
     def _pulls(self) -> bool:
         cables = len(self.world.zeros)
         return all(drive.servo.torque > 0.0 for drive in self.world.drives[:cables])
+
+
+def interfaces(world: SimulatedMachine) -> list[str]:
+    """One a bus."""
+    return [f"vcan{number}" for number in range(len(world.buses))]
 
 
 def stopped(run: Run) -> Script:
@@ -210,15 +215,18 @@ class Stage(Application):
             self.run_until(self._next)
 
 
+RUNS = {script.__name__: script for script in (stopped, killed, unplugged)}
+
+
 def main() -> None:
-    """Run all scripts."""
+    """Run scripts one after the other."""
     program = Path(shutil.copy(sys.argv[1], HERE / "turnbuckle"))
     bench: Bench = pickle.loads(Path(sys.argv[2]).read_bytes())
-    ports = [open_port(interface) for interface in INTERFACES]
     world = bench.power_on()
+    ports = [open_port(interface) for interface in interfaces(world)]
     ctypes.CDLL(None).mlockall(CURRENT_AND_FUTURE)  # nothing is read from the host from here on
     told = {}
-    for script in (stopped, killed, unplugged):
+    for script in (RUNS[name] for name in sys.argv[3:]):
         watch = SetpointWatch(bench.machine)
         watch.listen(world.buses)
         run = Run(world)

@@ -6,6 +6,7 @@ Both run inside the guest, in simulated time.
 import json
 import pickle
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,13 +15,13 @@ from guest import run_in_guest
 
 from turnbuckle.codegen.bind import Generated, generate_into_cache
 from turnbuckle.lab.demo import plan_task, plant_of
+from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live.program import build_program
 from turnbuckle.lab.live.simulated import Bench
 from turnbuckle.model.machine import load_machine
 from turnbuckle.model.reference.control import base_targets
 
 INSIDE = Path(__file__).with_name("bring_up_in_guest.py")
-INTERFACES = ("vcan0", "vcan1", "vcan2")
 HEARTBEAT_LOST = 0x8130
 BRISK = (
     ('name = "yoon2023"', 'name = "brisk"'),
@@ -42,13 +43,18 @@ Told = dict[str, Any]
 def story(stock_file: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Told]:
     """What the runs in the guest were like."""
     folder = tmp_path_factory.mktemp("brisk")
-    bench = brisk(stock_file, folder)
+    return told_of(brisk(stock_file, folder), ("stopped", "killed", "unplugged"), folder)
+
+
+def told_of(
+    bench: Bench, runs: Sequence[str], folder: Path, seconds: float = 900
+) -> dict[str, Told]:
+    """What these runs of a machine in the guest were like."""
     (folder / "bench").write_bytes(pickle.dumps(bench))
-    program = build_program(bench.machine)
     done = run_in_guest(
-        [sys.executable, INSIDE, program, folder / "bench"],
-        interfaces=INTERFACES,
-        seconds=900,
+        [sys.executable, INSIDE, build_program(bench.machine), folder / "bench", *runs],
+        interfaces=[f"vcan{number}" for number in range(len(bench.machine.buses))],
+        seconds=seconds,
     )
     assert done.status == 0, done.output
     told: dict[str, Told] = json.loads(done.output.splitlines()[-1])
@@ -66,7 +72,7 @@ def brisk(stock_file: Path, folder: Path) -> Bench:
     machine = load_machine(file)
     task = plan_task(Generated(machine, generate_into_cache(machine), "double"))
     rails = [float(s) for s in base_targets(machine, task.path.at(0.0)[0])]
-    return Bench(machine, plant_of(machine), task, rails)
+    return Bench(machine, plant_of(machine), task, rails, WIRES["worst"])
 
 
 def test_eight_drives_are_brought_from_power_on_to_work_and_stopped(

@@ -55,7 +55,7 @@ def file(stock_file: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def story(file: Path) -> Iterator[Story]:
     """One run: brought up, watched, stopped by the monitor."""
     shared, record = Path(f"/dev/shm/turnbuckle-sim-{os.getpid()}"), file.with_name("dump")
-    words = ["--sim", "--arm", f"--telemetry={shared}", f"--record={record}"]
+    words = ["--sim", "--wire=worst", "--arm", f"--telemetry={shared}", f"--record={record}"]
     with subprocess.Popen(
         [*COMMAND, "run", file, *words], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
     ) as process:
