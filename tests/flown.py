@@ -19,9 +19,28 @@ READ_OUT = """
 #include "recorder.h"
 size_t shim_recorder_size(void);
 size_t shim_read_out(const tb_recorder *recorder, unsigned char *out);
+size_t shim_reader_size(void);
+size_t shim_follow(tb_recorder_reader *reader, uint32_t opened, uint32_t count,
+                   unsigned char *out);
 size_t shim_recorder_size(void)
 {
     return sizeof(tb_recorder);
+}
+size_t shim_reader_size(void)
+{
+    return sizeof(tb_recorder_reader);
+}
+size_t shim_follow(tb_recorder_reader *reader, uint32_t opened, uint32_t count,
+                   unsigned char *out)
+{
+    tb_recorder_mark const mark = {opened, count};
+    size_t pieces = 0;
+    for (tb_recorder_piece piece = tb_recorder_read(reader, mark); piece.size > 0;
+         piece = tb_recorder_read(reader, mark)) {
+        memcpy(&out[piece.at], piece.bytes, piece.size);
+        pieces++;
+    }
+    return pieces;
 }
 size_t shim_read_out(const tb_recorder *recorder, unsigned char *out)
 {
@@ -58,7 +77,7 @@ def library_file() -> Path:
 def library() -> ctypes.CDLL:
     """The same, loaded."""
     loaded = ctypes.CDLL(str(library_file()))
-    for name in ("shim_recorder_size", "shim_read_out"):
+    for name in ("shim_recorder_size", "shim_read_out", "shim_reader_size", "shim_follow"):
         getattr(loaded, name).restype = ctypes.c_size_t
     return loaded
 
@@ -87,3 +106,37 @@ class Flight:
         out = ctypes.create_string_buffer(self.size + 4096)
         size = library().shim_read_out(self.recorder, out)
         return out.raw[:size]
+
+    def mark(self) -> tuple[int, int]:
+        """Segments opened since the start, and cycles in the newest: tb_recorder_now."""
+        now = library().tb_recorder_now
+        now.restype = Mark
+        found = now(self.recorder)
+        return found.opened, found.count
+
+
+class Mark(ctypes.Structure):
+    """tb_recorder_mark"""
+
+    _fields_ = (("opened", ctypes.c_uint32), ("count", ctypes.c_uint32))
+
+
+class Follower:
+    """A file to which a recorder's pieces go as they come."""
+
+    def __init__(self, flight: Flight) -> None:
+        """Nothing is read yet."""
+        self._flight = flight
+        self._reader = ctypes.create_string_buffer(library().shim_reader_size())
+        self._out = ctypes.create_string_buffer(flight.size + 4096)
+        library().tb_recorder_open(self._reader, flight.recorder)
+
+    def follow(self, mark: tuple[int, int]) -> int:
+        """Write what was kept up to a mark; how many pieces."""
+        pieces: int = library().shim_follow(self._reader, *mark, self._out)
+        return pieces
+
+    @property
+    def content(self) -> bytes:
+        """The file, with all the room that a recording takes."""
+        return self._out.raw

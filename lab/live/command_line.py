@@ -64,7 +64,7 @@ def run(
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="Write the flight recorder to FILE at the end.",
+            help="Keep the flight recorder in FILE; in a folder, in a file of the run's own.",
             show_default=False,
         ),
     ] = None,

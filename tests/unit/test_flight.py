@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flown import SEGMENT_CYCLES, SEGMENTS, Flight, library_file
+from flown import SEGMENT_CYCLES, SEGMENTS, Flight, Follower, library_file
 from pyarrow import parquet
 from supervised import CORE, RESET, STOCK, Cause, Observation, Power, State
 from typer.testing import CliRunner
@@ -236,6 +236,30 @@ def test_the_ring_keeps_the_last_cycles_and_holds_still_after_a_fault(
     assert after.numbers[-1] == long.machine.cycle - 1
     for one in (before, held, after):
         assert run_again(one, supervisor).matched == len(one.numbers)
+
+
+def test_what_is_read_while_it_is_recorded_is_the_same_as_at_the_end(
+    tmp_path: Path, supervisor: Supervisor
+) -> None:
+    flight, path, ring = Flight(), tmp_path / "followed.dump", SEGMENTS * SEGMENT_CYCLES
+    follower = Follower(flight)
+    assert follower.follow((0, 0)) == follower.follow(flight.mark()) == 0
+    for cycles in (1, 1, SEGMENT_CYCLES - 2, 1, 3 * SEGMENT_CYCLES + 7, 2 * ring, 5):
+        flight.machine.run(cycles)
+        early = flight.mark()
+        flight.machine.run(3)  # kept behind the mark, and not to be read yet
+        assert 0 < follower.follow(early) <= 4 * (SEGMENTS + 1)  # not what was overtaken
+        assert follower.follow(early) == 0
+        path.write_bytes(follower.content)
+        found = read_recording(path, MACHINE)
+        assert found.numbers[-1] == flight.machine.cycle - 4
+        assert [flaw for flaw in found.flaws if "segment" in flaw] == []
+        assert run_again(found, supervisor).matched == len(found.numbers)
+    assert follower.follow(flight.mark()) > 0
+    path.write_bytes(follower.content)
+    followed = bytes_of(read_recording(path, MACHINE))
+    path.write_bytes(flight.read_out())
+    assert followed == bytes_of(read_recording(path, MACHINE))
 
 
 def bytes_of(recording: Recording) -> bytes:

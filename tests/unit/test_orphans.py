@@ -19,8 +19,8 @@ COMMANDS = {
     "study": ["--out", "out", "--samples", "100000", "--vary", "tension.max=8 N..11 N"],
     "run": ["--sim", "--telemetry", "shared", "--record", "dump"],
 }
-BUSY = {"generate": 2, "verify": 2, "study": 2, "run": 3}
-"""Processes below a command when it is at work: of the pool, or drives, program and its writer."""
+BUSY = {"generate": 2, "verify": 2, "study": 2, "run": 2}
+"""Processes below a command when it is at work: of the pool, or drives and program."""
 
 
 def below(pid: int) -> set[int]:

@@ -30,7 +30,7 @@ typedef struct {
 typedef struct {
     tb_bus_option buses[TB_BUSES]; /* in the order of the machine file */
     const char *telemetry;         /* path of the shared file */
-    const char *record;            /* where the flight recorder is dumped; NULL for nowhere */
+    const char *record;            /* file or folder of the flight recorder; NULL for none */
     uint64_t cycles;               /* run for so many, then stop; 0 for without end */
     const char *clock;             /* socket of a simulation that keeps time; NULL for real time */
     int priority;                  /* of SCHED_FIFO; 0 for none */

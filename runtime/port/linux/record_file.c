@@ -61,28 +61,33 @@ static bool is_recording(const char *path)
                           (memcmp(magic, TB_RECORDING_MAGIC, sizeof magic) == 0));
 }
 
-/* Where the recording goes: through links, into a folder. False, with a message, for what is to stay. */
+/* Where the recording goes: a new file, one in a folder, or what is behind a link. False with errno. */
+static bool name_file(char path[PATH_MAX], const char *given, const struct stat *found)
+{
+    if (found == NULL) {
+        return print_path(path, "%s", given);
+    }
+    return S_ISDIR(found->st_mode) ? name_run(path, given) : (realpath(given, path) != NULL);
+}
+
+/* False, with a message, where nothing can be or what is there is to stay. */
 static bool find_place(tb_record_file *file, const char *path)
 {
     struct stat about;
-    bool found = stat(path, &about) == 0;
-    bool done = found ? (realpath(path, file->path) != NULL) : print_path(file->path, "%s", path);
-    if (done && found && S_ISDIR(about.st_mode)) {
-        char folder[PATH_MAX];
-        memcpy(folder, file->path, sizeof folder);
-        done = name_run(file->path, folder);
-        found = false;
-    }
-    if (!done) {
+    const struct stat *const found = (stat(path, &about) == 0) ? &about : NULL;
+    if (!name_file(file->path, path, found)) {
         tb_say("--record %s: cannot be written: %s", path, strerror(errno));
-    } else if (found && (!S_ISREG(about.st_mode) || !is_recording(path))) {
+        return false;
+    }
+    if ((found != NULL) && !S_ISDIR(about.st_mode) &&
+        (!S_ISREG(about.st_mode) || !is_recording(path))) {
         tb_say(
             "--record %s: is no flight recording, and would be replaced; name another file, or a "
             "folder",
             path);
-        done = false;
+        return false;
     }
-    return done;
+    return true;
 }
 
 static bool create(tb_record_file *file)

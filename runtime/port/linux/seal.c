@@ -36,7 +36,7 @@ static struct sock_filter const filter[] = {
     FIELD(nr),
     ALLOW_CALL(clock_nanosleep),
     ALLOW_CALL(clock_gettime),
-    /* frames, signs of life; at the end the recorder's dump and the report */
+    /* frames, signs of life; at the end the report, and what the writer of the record answers */
     ALLOW_CALL(read),
     ALLOW_CALL(write),
     ALLOW_CALL(recvfrom),
