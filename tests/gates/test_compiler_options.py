@@ -10,6 +10,7 @@ from turnbuckle.codegen.compile import FLAGS, GCC_FLAGS
 from turnbuckle.model.symbolic.function import Status
 
 RUNTIME = Path(__file__).parents[2] / "runtime"
+DOCUMENT = Path(__file__).parents[2] / "docs" / "targets.md"
 PARTS = ("core", "canopen", "can", "port/linux")
 COMPILERS = {"gcc": "c99", "g++": "c++11", "clang": "c99", "clang++": "c++11"}
 #: A guard as the generated C has them: a NaN is never inside.
@@ -77,6 +78,12 @@ def test_other_options_pass(
     compiler: str, options: str, precision: str, stock_folder: Path
 ) -> None:
     assert said(compiler, f"{precision} {options}", GUARDED, stock_folder) == ""
+
+
+def test_the_document_names_every_option_that_is_refused() -> None:
+    flags = {flag for options in REFUSED | REFUSED_BY_GCC for flag in options.split()}
+    named = set(re.findall(r"`(-[\w=-]+)`", DOCUMENT.read_text()))
+    assert flags - named == {"-fno-finite-math-only", "-fno-trapping-math"}  # not by themselves
 
 
 def test_without_the_refusal_a_nan_passes_the_guard(stock_folder: Path, tmp_path: Path) -> None:

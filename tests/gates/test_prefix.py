@@ -32,6 +32,7 @@ from turnbuckle.model.machine import Machine, load_machine
 
 ROOT = Path(__file__).parents[2]
 CORE, CANOPEN, CAN = (ROOT / "runtime" / part for part in ("core", "canopen", "can"))
+DOCUMENT = ROOT / "docs" / "targets.md"
 POINTS = 1000
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
 #: What a program does with one of its machines, as text of a machine without a prefix.
@@ -240,6 +241,19 @@ def test_two_machines_run_in_one_program(
         assert lines[-1] == f"{name}: state {int(State.INIT)}"
         synced = {line.split(":")[0] for line in lines if ": 080 0" in line}
         assert synced == {f"{name} {bus}" for bus in range(buses)}
+
+
+def test_the_program_of_the_document_runs(
+    machines: dict[str, Path], objects: dict[str, Path], tmp_path: Path
+) -> None:
+    (source,) = re.findall(r"^```cpp\n(.*?)^```", DOCUMENT.read_text(), re.MULTILINE | re.DOTALL)
+    (tmp_path / "two.cpp").write_text(source)
+    command = ["g++", "-std=c++11", *WARNINGS, *(f"-I{folder}" for folder in machines.values())]
+    command += [str(tmp_path / "two.cpp"), *map(str, objects.values()), "-o", str(tmp_path / "two")]
+    done = subprocess.run([*command, "-lm"], capture_output=True, text=True, check=False)
+    assert done.stderr == ""
+    done = subprocess.run([tmp_path / "two"], capture_output=True, text=True, check=True)
+    assert done.stdout == "yoon2023: status 0, spidar_g: status 0\n"
 
 
 def prefixed_functions(

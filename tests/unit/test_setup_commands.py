@@ -67,11 +67,33 @@ def test_a_changed_list_asks_for_a_new_set_up(changed: str, tmp_path: Path) -> N
     assert run("make", "--question", "setup", folder=tmp_path).returncode == 1
 
 
+def test_only_the_tests_ask_for_the_packages_that_tests_need(tmp_path: Path) -> None:
+    for name in (*SETUP_FILES, ".ci/test_packages"):
+        target = tmp_path / name
+        target.parent.mkdir(exist_ok=True)
+        target.write_bytes((ROOT / name).read_bytes())
+    (tmp_path / ".venv").symlink_to(ROOT / ".venv")
+    with (tmp_path / ".ci/test_packages").open("a") as packages:
+        packages.write("another\n")
+    install = ".ci/install_packages .ci/test_packages"
+    assert install in run("make", "--dry-run", "test", folder=tmp_path).stdout
+    others = run("make", "--dry-run", "setup", "generate", "verify", "demo", folder=tmp_path)
+    assert (others.returncode, install in others.stdout) == (0, False)
+
+
 def test_clean_c_is_compiled_by_both_compilers_in_both_precisions_and_for_arm(
     tmp_path: Path,
 ) -> None:
     result = lint_c(tmp_path, CLEAN)
     assert (result.returncode, result.stdout) == (0, "C: 15 compilations without a warning\n")
+
+
+def test_a_machine_with_a_prefix_is_compiled_without_the_runtime_beside_it(tmp_path: Path) -> None:
+    left = tmp_path / "generated" / "left_machine"
+    left.mkdir(parents=True)
+    (left / "left_f.c").write_text("int left_f(void);\nint left_f(void) { return 0; }\n")
+    result = lint_c(tmp_path, CLEAN)
+    assert (result.returncode, result.stdout) == (0, "C: 20 compilations without a warning\n")
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@
 #define ARCHITECTURE AUDIT_ARCH_X86_64
 #elif defined(__aarch64__)
 #define ARCHITECTURE AUDIT_ARCH_AARCH64
-#elif defined(__arm__) && defined(__ARM_EABI__)
+#elif defined(__arm__) && defined(__ARM_EABI__) && !defined(__ARMEB__)
 #define ARCHITECTURE AUDIT_ARCH_ARM
 #elif defined(__riscv) && (__riscv_xlen == 64)
 #define ARCHITECTURE AUDIT_ARCH_RISCV64
