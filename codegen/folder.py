@@ -25,6 +25,11 @@ def write_folder(files: Mapping[str, str | bytes], folder: Path, manifest: str) 
     written.
     """
     refuse_foreign(folder, manifest)
+    place(files, folder)
+
+
+def place(files: Mapping[str, str | bytes], folder: Path) -> None:
+    """Put the files where a folder is or will be; FolderError where it cannot be written."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         fresh = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
@@ -45,7 +50,11 @@ def refuse_foreign(folder: Path, manifest: str) -> None:
         raise FolderError(f"{folder}: is not a folder; --out takes a new or a generated folder")
     if not folder.exists():
         return
-    entries = sorted(entry.name for entry in folder.iterdir())
+    entries = sorted(
+        entry.relative_to(folder).as_posix()
+        for entry in folder.rglob("*")
+        if entry.is_symlink() or not entry.is_dir() or not any(entry.iterdir())
+    )
     if entries and manifest not in entries:
         raise FolderError(
             f"{folder}: holds {entries[0]!r} and no {manifest}, so it was not generated; "
@@ -71,10 +80,13 @@ def names_in(manifest: Path) -> list[str]:
 
 
 def fill(folder: Path, files: Mapping[str, str | bytes]) -> None:
-    """Write the files; readable by everyone, as the rest of a checkout is."""
+    """Write the files, their names relative to the folder; readable by everyone, as the rest of a
+    checkout is."""
     folder.chmod(0o755)
     for name, content in files.items():
-        with (folder / name).open("wb") as stream:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("wb") as stream:
             stream.write(content.encode() if isinstance(content, str) else content)
             stream.flush()
             os.fsync(stream.fileno())
