@@ -26,7 +26,6 @@ from turnbuckle.model.refusal import Refusal
 from turnbuckle.model.terminal import INTERRUPTED, fail
 
 app = typer.Typer(
-    add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,

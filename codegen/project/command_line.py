@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from turnbuckle.model.terminal import complete_machine
+
 Name = Annotated[
     str, typer.Argument(help="Name of the folder and of the machine.", show_default=False)
 ]
@@ -18,6 +20,7 @@ def new(
             "--from",
             metavar="FILE",
             help="The machine to begin with: a file, or a stock machine's name.",
+            autocompletion=complete_machine,
         ),
     ] = "yoon2023",
 ) -> None:

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from turnbuckle.model.terminal import FAILED_CHECK
+from turnbuckle.model.terminal import FAILED_CHECK, complete_machine
 
 Dump = Annotated[Path, typer.Argument(help="What the flight recorder wrote.", show_default=False)]
 OfMachine = Annotated[
@@ -14,6 +14,7 @@ OfMachine = Annotated[
         metavar="[FILE]",
         help="The machine file.  [default: machines/<name>.toml]",
         show_default=False,
+        autocompletion=complete_machine,
     ),
 ]
 
