@@ -29,6 +29,11 @@ def write_folder(
     force the files of another machine, or cannot be written.
     """
     refuse_foreign(folder, manifest, manifest_of(files[manifest]).machines, force)
+    place(files, folder)
+
+
+def place(files: Mapping[str, str | bytes], folder: Path) -> None:
+    """Put the files where a folder is or will be; FolderError where it cannot be written."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         fresh = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
@@ -54,7 +59,11 @@ def refuse_foreign(
         raise FolderError(f"{folder}: is not a folder; --out takes a new or a generated folder")
     if not folder.exists():
         return
-    entries = sorted(entry.name for entry in folder.iterdir())
+    entries = sorted(
+        entry.relative_to(folder).as_posix()
+        for entry in folder.rglob("*")
+        if entry.is_symlink() or not entry.is_dir() or not any(entry.iterdir())
+    )
     if entries and manifest not in entries:
         raise FolderError(
             f"{folder}: holds {entries[0]!r} and no {manifest}, so it was not generated; "
@@ -115,11 +124,13 @@ def read_manifest(path: Path) -> Manifest:
 
 
 def fill(folder: Path, files: Mapping[str, str | bytes]) -> None:
-    """Write the files; readable by everyone, as the rest of a checkout is."""
+    """Write the files, their names relative to the folder; readable by everyone, as the rest of a
+    checkout is."""
     folder.chmod(0o755)
     for name, content in files.items():
-        (folder / name).parent.mkdir(mode=0o755, exist_ok=True)
-        with (folder / name).open("wb") as stream:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("wb") as stream:
             stream.write(content.encode() if isinstance(content, str) else content)
             stream.flush()
             os.fsync(stream.fileno())

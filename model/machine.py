@@ -60,7 +60,7 @@ from turnbuckle.model.stock import machine_file, stock_names
 from turnbuckle.model.table import Table
 from turnbuckle.model.words import CommentLine, Identifier, KindName
 
-__all__ = ["Machine", "MachineError", "json_schema", "load_machine"]
+__all__ = ["Machine", "MachineError", "json_schema", "json_schema_text", "load_machine"]
 
 # A double pole 1/(tau s + 1)^2 has fallen by 3 dB where w tau is this.
 DOUBLE_POLE_3DB = math.sqrt(math.sqrt(2) - 1)
@@ -522,5 +522,10 @@ def json_schema() -> dict[str, Any]:
     return {"$schema": dialect, **Machine.model_json_schema(by_alias=True)}
 
 
+def json_schema_text() -> str:
+    """The same as text."""
+    return json.dumps(json_schema(), indent=2) + "\n"
+
+
 if __name__ == "__main__":
-    print(json.dumps(json_schema(), indent=2))
+    print(json_schema_text(), end="")

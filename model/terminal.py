@@ -5,8 +5,10 @@ better was found; 130 the user stopped it. What a command finds goes to stdout, 
 itself to stderr.
 """
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from glob import escape, glob
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -16,7 +18,25 @@ from rich.text import Text
 
 FAILED_CHECK, CANNOT, NOTHING_BETTER, INTERRUPTED = 1, 2, 3, 130
 
-MachineFile = Annotated[Path, typer.Argument(help="The machine file.", show_default=False)]
+
+def complete_machine(incomplete: str) -> list[str]:
+    """What a shell offers for a machine file that is begun so: files, folders, stock machines."""
+    from turnbuckle.model.stock import stock_names
+
+    found = sorted(glob(f"{escape(incomplete)}*"))
+    folders = [f"{path}/" for path in found if os.path.isdir(path)]
+    files = [path for path in found if path.endswith(".toml") and path + "/" not in folders]
+    return [*files, *folders, *(name for name in stock_names() if name.startswith(incomplete))]
+
+
+MachineFile = Annotated[
+    Path,
+    typer.Argument(
+        help="The machine file, or a stock machine's name.",
+        show_default=False,
+        autocompletion=complete_machine,
+    ),
+]
 
 Force = Annotated[
     bool, typer.Option("--force", help="Replace the files of another machine in the folder.")

@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from turnbuckle.codegen.command_line import generate, verify
+from turnbuckle.codegen.project.command_line import new, runtime
 from turnbuckle.extras import extra_of
 from turnbuckle.lab.analysis.command_line import analyze, compare
 from turnbuckle.lab.command_line import demo
@@ -26,7 +27,6 @@ from turnbuckle.model.terminal import CANNOT, INTERRUPTED, complain, fail
 from turnbuckle.version import VERSION
 
 app = typer.Typer(
-    add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
@@ -110,6 +110,7 @@ def errors_in_words(command: str) -> Iterator[None]:
 
 COMMANDS: tuple[Callable[..., None], ...] = (
     check,
+    new,
     generate,
     verify,
     analyze,
@@ -122,6 +123,7 @@ COMMANDS: tuple[Callable[..., None], ...] = (
     monitor,
     replay,
     log,
+    runtime,
 )
 """In the order of --help."""
 for command in COMMANDS:

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from turnbuckle.model.terminal import FAILED_CHECK, Force, MachineFile, progress
+from turnbuckle.model.terminal import FAILED_CHECK, Force, MachineFile, complete_machine, progress
 
 
 def as_length(millimetres: float) -> float:
@@ -69,7 +69,12 @@ def analyze(
 
 def compare(
     file: MachineFile,
-    other: Annotated[Path, typer.Argument(help="Another machine file.", show_default=False)],
+    other: Annotated[
+        Path,
+        typer.Argument(
+            help="Another machine.", show_default=False, autocompletion=complete_machine
+        ),
+    ],
     out: Annotated[
         Path | None,
         typer.Option(

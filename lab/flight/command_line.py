@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from turnbuckle.model.terminal import FAILED_CHECK, complain
+from turnbuckle.model.terminal import FAILED_CHECK, complain, complete_machine
 
 if TYPE_CHECKING:
     from turnbuckle.lab.flight.recording import Recording
@@ -19,6 +19,7 @@ OfMachine = Annotated[
         metavar="[FILE]",
         help="The machine file.  [default: machines/<name>.toml]",
         show_default=False,
+        autocompletion=complete_machine,
     ),
 ]
 

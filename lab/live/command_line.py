@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from turnbuckle.model.terminal import MachineFile
+from turnbuckle.model.terminal import MachineFile, complete_machine
 
 if TYPE_CHECKING:
     from turnbuckle.lab.live.telemetry import Request
@@ -156,7 +156,10 @@ def monitor(
     machine: Annotated[
         str,
         typer.Argument(
-            metavar="FILE|NAME", help="The machine file, or the machine's name.", show_default=False
+            metavar="FILE|NAME",
+            help="The machine file, or the machine's name.",
+            show_default=False,
+            autocompletion=complete_machine,
         ),
     ],
     once: Annotated[bool, typer.Option("--once", help="Print one picture and end.")] = False,

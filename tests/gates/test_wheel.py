@@ -16,6 +16,8 @@ UNWRITABLE = "/dev/null"
 COMMANDS: Sequence[tuple[int, str]] = (
     (0, "check yoon2023"),
     (0, "bus yoon2023"),
+    (0, "new arm --from spidar_g"),
+    (0, "runtime --out runtime"),
     (0, "generate brau_triangle"),
     (0, "verify brau_triangle --points 5"),
     (0, "analyze yoon2023"),

@@ -68,16 +68,16 @@ def test_a_changed_list_asks_for_a_new_set_up(changed: str, tmp_path: Path) -> N
 
 
 def test_only_the_tests_ask_for_the_packages_that_tests_need(tmp_path: Path) -> None:
-    for name in (*SETUP_FILES, ".ci/test_packages"):
+    for name in ("Makefile", *SET_UP_BY):
         target = tmp_path / name
         target.parent.mkdir(exist_ok=True)
         target.write_bytes((ROOT / name).read_bytes())
     (tmp_path / ".venv").symlink_to(ROOT / ".venv")
-    with (tmp_path / ".ci/test_packages").open("a") as packages:
+    with (tmp_path / ".ci/packages_of_tests").open("a") as packages:
         packages.write("another\n")
-    install = ".ci/install_packages .ci/test_packages"
+    install = ".ci/install_packages .ci/packages_of_tests"
     assert install in run("make", "--dry-run", "test", folder=tmp_path).stdout
-    others = run("make", "--dry-run", "setup", "generate", "verify", "demo", folder=tmp_path)
+    others = run("make", "--dry-run", "generate", "verify", "demo", folder=tmp_path)
     assert (others.returncode, install in others.stdout) == (0, False)
 
 

@@ -17,7 +17,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 LOCK, DEV_LOCK = ((ROOT / f"requirements{which}.lock").read_text() for which in ("", "-dev"))
 PIN = re.compile(r"(?P<name>[a-z0-9-]+)==(?P<version>[0-9][0-9a-z.]*)( ; [^\\]+)? \\")
 HASH = re.compile(r"    --hash=sha256:[0-9a-f]{64}( \\)?")
-OF_THE_REPOSITORY = ("benchmark", "figures", "mutants", "soak")
+OF_THE_REPOSITORY = ("benchmark", "figures", "mutants", "pages", "soak")
 
 
 def pins(lock: str) -> dict[str, str]:
