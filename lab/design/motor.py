@@ -18,7 +18,7 @@ from turnbuckle.model.workspace.rows import Array
 
 TENSION: Location = ("tension", "max")
 TORQUE: Location = ("cable_motor", "torque_limit")
-ALLOWANCE: Changes = {TENSION: "1e6 N", TORQUE: f"{LARGEST:g} N*m"}
+ALLOWANCE: Changes = {TENSION: "1e6 N", TORQUE: "1e6 N*m"}
 """More than any motor has, so that no candidate is refused for its present motors."""
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Relative error that rounding may leave in a tension that just gives the wanted force."""
