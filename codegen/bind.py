@@ -17,7 +17,8 @@ from turnbuckle.codegen.compile import LIBRARIES, compile_library
 from turnbuckle.codegen.folder import FolderError
 from turnbuckle.codegen.generate import MANIFEST, TEMPLATES, generate, write
 from turnbuckle.model.files import write_whole
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.symbolic.function import Status
 
 REALS: dict[str, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}

@@ -68,7 +68,7 @@ def generate(
     begin = time.perf_counter()
     from turnbuckle.codegen.generate import folder_name
     from turnbuckle.codegen.prefix import PLAIN, refuse_prefix
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     if prefix is not None:
         refuse_prefix(prefix)
@@ -155,7 +155,7 @@ def verify(
     Example:
       turnbuckle verify machines/yoon2023.toml --points 500 --json > report.json
     """
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
     report = judged(file, points)

@@ -26,7 +26,8 @@ from turnbuckle.codegen.judges.problem import Bools, Expected, Problem
 from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.codegen.processes import forked_workers
 from turnbuckle.codegen.samples import Sampler
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import disturbance_sequence
 from turnbuckle.model.reference.planar import Array as Wide
 from turnbuckle.model.symbolic.function import Input, ModelFunction, Status

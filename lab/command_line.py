@@ -23,7 +23,7 @@ def demo(
     Example:
       turnbuckle demo machines/yoon2023.toml --out pictures
     """
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
     from turnbuckle.lab.demo import run_demo, summary_table

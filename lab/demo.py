@@ -15,8 +15,9 @@ from turnbuckle.lab.bench import Reals, Recording, run_task
 from turnbuckle.lab.pictures import refuse_foreign_picture
 from turnbuckle.lab.summary import Summary, summarise
 from turnbuckle.lab.task import Planner, Task
-from turnbuckle.model.machine import Machine, Plant, load_machine
+from turnbuckle.model.machine import Machine, Plant
 from turnbuckle.model.problem import MachineError, Problem
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import base_targets
 
 Progress = Callable[[str, float], None]

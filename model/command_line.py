@@ -36,7 +36,8 @@ def check(
       turnbuckle check machines/yoon2023.toml
       turnbuckle check machines/yoon2023.toml --json
     """
-    from turnbuckle.model.machine import MachineError, load_machine
+    from turnbuckle.model.problem import MachineError
+    from turnbuckle.model.reading import load_machine
 
     try:
         machine = load_machine(file)

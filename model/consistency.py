@@ -1,14 +1,12 @@
 """What must hold between the keys of a machine file, once each key is right by itself."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from turnbuckle.model import layout
 from turnbuckle.model.bus import rules as bus
-from turnbuckle.model.layout import ROUNDING
+from turnbuckle.model.machine import Machine
 from turnbuckle.model.partial import forget
 from turnbuckle.model.problem import (
     FOUND_NOTHING,
@@ -19,10 +17,8 @@ from turnbuckle.model.problem import (
     problem_at,
     shown,
 )
+from turnbuckle.model.rounding import ROUNDING
 from turnbuckle.model.table import WrongKey
-
-if TYPE_CHECKING:
-    from turnbuckle.model.machine import Machine
 
 MOST_CABLES = 16
 MOST_WALLS = 16

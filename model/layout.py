@@ -1,26 +1,20 @@
 """What must hold of the places in a machine file: dimensions, bases, rails, pulleys, target."""
 
-from __future__ import annotations
-
 import math
-import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from turnbuckle.model.base import Base, Coordinates, FixedBase, PlaneBase, RailBase, leader
 from turnbuckle.model.directions import dot, rank
+from turnbuckle.model.machine import Machine
 from turnbuckle.model.partial import value_at
 from turnbuckle.model.problem import FOUND_NOTHING, Location, Problem, key_path, problem_at, shown
 from turnbuckle.model.pulley import PulleyTable
+from turnbuckle.model.rounding import ROUNDING
 from turnbuckle.model.table import WrongKey
 
-if TYPE_CHECKING:
-    from turnbuckle.model.machine import Machine
-
-# A product of two rounded numbers may miss an exact limit by this much.
-ROUNDING = 4 * sys.float_info.epsilon
 # Two cables nearer than this angle [rad] are parallel on any machine that can be built.
 PARALLEL = 1e-9
 # A carriage that moves less than this [m] is none.

@@ -2,13 +2,11 @@
 
 import json
 import math
-import tomllib
-from codecs import BOM_UTF8
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, ConfigDict, Field, PrivateAttr, ValidationError
+from pydantic import BeforeValidator, ConfigDict, Field, PrivateAttr
 
 from turnbuckle.model.base import (
     Base,
@@ -29,11 +27,7 @@ from turnbuckle.model.bus.tables import (
     Rating,
     Supervision,
 )
-from turnbuckle.model.consistency import consistency_problems
 from turnbuckle.model.kind import KINDS
-from turnbuckle.model.layout import ROUNDING
-from turnbuckle.model.partial import partial
-from turnbuckle.model.problem import MachineError, Problem, schema_problems
 from turnbuckle.model.pulley import SENSE, Pulley, PulleyTable
 from turnbuckle.model.quantity import (
     Angle,
@@ -56,11 +50,9 @@ from turnbuckle.model.quantity import (
     TorqueRate,
     UnitVector,
 )
-from turnbuckle.model.stock import machine_file, stock_names
+from turnbuckle.model.rounding import ROUNDING
 from turnbuckle.model.table import Table
 from turnbuckle.model.words import CommentLine, Identifier, KindName
-
-__all__ = ["Machine", "MachineError", "json_schema", "json_schema_text", "load_machine"]
 
 # A double pole 1/(tau s + 1)^2 has fallen by 3 dB where w tau is this.
 DOUBLE_POLE_3DB = math.sqrt(math.sqrt(2) - 1)
@@ -443,6 +435,11 @@ class Machine(Table):
             text += f", turned by up to {math.degrees(target.rotation):g} deg"
         return text
 
+    def read_from(self, path: Path) -> "Machine":
+        """The machine, which remembers its file."""
+        self._path = path
+        return self
+
     def _observer_in_words(self) -> str:
         observer = self.disturbance_observer
         if observer is None:
@@ -455,65 +452,6 @@ class Machine(Table):
 
 def _in_mm(*lengths: float) -> str:
     return " x ".join(f"{length * 1e3:g}" for length in lengths) + " mm"
-
-
-def load_machine(path: str | Path) -> Machine:
-    """Read and check a machine file, or a stock machine by its name.
-
-    Raises MachineError, whose text names the file, the key, what was found and what is allowed.
-    """
-    path = machine_file(path)
-    return machine_from(_read_toml(path), path)
-
-
-def machine_from(tables: dict[str, Any], path: Path) -> Machine:
-    """The machine that a file's tables describe; MachineError names `path` as the file."""
-    problems: list[Problem] = []
-    try:
-        machine = Machine.model_validate(tables)
-    except ValidationError as error:
-        problems = schema_problems(error, Machine)
-        machine = partial(Machine, tables)
-    problems += consistency_problems(machine, tables)
-    if problems:
-        raise MachineError(path, problems)
-    machine._path = path
-    return machine
-
-
-def _read_toml(path: Path) -> dict[str, Any]:
-    # Editors on Windows put a byte order mark before the text.
-    content = _read_bytes(path).removeprefix(BOM_UTF8)
-    try:
-        return tomllib.loads(content.decode("utf-8"))
-    except UnicodeDecodeError as error:
-        found = f"a byte that is no UTF-8 at offset {error.start}"
-    except tomllib.TOMLDecodeError as error:
-        found = f"a mistake in the TOML: {error}"
-    except (ValueError, RecursionError):
-        found = "a number too long or arrays nested too deep to read"
-    raise _unreadable(path, found)
-
-
-def _read_bytes(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise _unreadable(
-            path, "no such file", f", or a stock machine: {', '.join(stock_names())}"
-        ) from None
-    except IsADirectoryError:
-        found = "a directory"
-    except OSError as error:
-        found = f"a file that cannot be read ({error.strerror})"
-    except ValueError:
-        found = "a name that no file can have"
-    raise _unreadable(path, found)
-
-
-def _unreadable(path: Path, found: str, more: str = "") -> MachineError:
-    allowed = f"a readable machine file, TOML in UTF-8{more}"
-    return MachineError(path, [Problem("", found, allowed)])
 
 
 def json_schema() -> dict[str, Any]:

@@ -15,7 +15,8 @@ from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.codegen.model import Model, build_model
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 if TYPE_CHECKING:
     from journey import Journey

@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 Array = NDArray[np.float64]
 

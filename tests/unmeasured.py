@@ -12,7 +12,8 @@ from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.lower import lower
 from turnbuckle.codegen.model import Model, composed
 from turnbuckle.codegen.simplify import simplify
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.symbolic.topics import TOPICS, model_composites
 
 FOLDERS = (Path(__file__).parent / "machines", Path(__file__).parents[1] / "machines")

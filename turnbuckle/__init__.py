@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from turnbuckle.codegen.bind import load
     from turnbuckle.codegen.map_tally import tally
     from turnbuckle.codegen.pose_map import PoseMap, target_grid
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
     from turnbuckle.model.refusal import Refusal
 
 __all__ = ["PoseMap", "Refusal", "load", "load_machine", "tally", "target_grid"]
@@ -19,7 +19,7 @@ _HOMES = {
     "PoseMap": "turnbuckle.codegen.pose_map",
     "Refusal": "turnbuckle.model.refusal",
     "load": "turnbuckle.codegen.bind",
-    "load_machine": "turnbuckle.model.machine",
+    "load_machine": "turnbuckle.model.reading",
     "tally": "turnbuckle.codegen.map_tally",
     "target_grid": "turnbuckle.codegen.pose_map",
 }

@@ -11,8 +11,9 @@ from pydantic import TypeAdapter, ValidationError
 
 from turnbuckle.codegen.folder import place
 from turnbuckle.codegen.project.runtime import runtime_files
-from turnbuckle.model.machine import Machine, json_schema_text, load_machine
+from turnbuckle.model.machine import Machine, json_schema_text
 from turnbuckle.model.problem import shown
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.refusal import Refusal
 from turnbuckle.model.words import Identifier
 

@@ -52,7 +52,7 @@ def analyze(
     Example:
       turnbuckle analyze machines/yoon2023.toml --out analysis --lag 10
     """
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     machine = load_machine(file)  # a mistake is told before the slow imports
     from turnbuckle.lab.analysis.analyze import analyze as look_at
@@ -93,7 +93,7 @@ def compare(
     Example:
       turnbuckle compare machines/yoon_fixed_diagonal.toml machines/yoon2023.toml
     """
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     machines = load_machine(file), load_machine(other)
     from turnbuckle.lab.analysis.compare import compare as put_side_by_side

@@ -12,7 +12,7 @@ from turnbuckle.lab.benchmark.table1 import compare_table1
 from turnbuckle.lab.benchmark.targets import targets
 from turnbuckle.lab.benchmark.tension import all_solvers, compare
 from turnbuckle.lab.benchmark.tension_problems import tension_problems
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 MACHINE, SQUARE = "yoon2023", "brau_square"
 SEED = 20231

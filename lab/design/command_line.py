@@ -82,7 +82,7 @@ def optimise(
 
 def question(file: Path, vary: list[str], goal: str) -> Design:
     """What is asked of which machine."""
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
     from turnbuckle.lab.design.design import Design

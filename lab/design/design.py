@@ -12,7 +12,8 @@ from turnbuckle.lab.design.document import Changes, Document
 from turnbuckle.lab.design.goal import Goal, IsotropicForce, Score
 from turnbuckle.lab.design.motor import motor_goal
 from turnbuckle.lab.design.vary import Range, parse_ranges
-from turnbuckle.model.machine import Machine, MachineError
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import MachineError
 from turnbuckle.model.workspace.rows import Array
 
 Values = tuple[Decimal, ...]

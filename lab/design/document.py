@@ -17,8 +17,9 @@ import tomlkit
 from tomlkit.container import OutOfOrderTableProxy
 from tomlkit.items import AoT, Item, Table
 
-from turnbuckle.model.machine import Machine, load_machine, machine_from
+from turnbuckle.model.machine import Machine
 from turnbuckle.model.problem import key_path
+from turnbuckle.model.reading import load_machine, machine_from
 from turnbuckle.model.units import QuantityError, Written, unit, written
 
 Location = tuple[str | int, ...]

@@ -7,7 +7,7 @@ from turnbuckle.lab.design import DesignError
 from turnbuckle.lab.design.design import Design, Outcome
 from turnbuckle.lab.design.document import Changes
 from turnbuckle.lab.design.goal import Score
-from turnbuckle.model.machine import machine_from
+from turnbuckle.model.reading import machine_from
 
 BETTER = 1e-6
 """A gain below this share of the merit is none: values have few digits."""

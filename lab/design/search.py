@@ -14,7 +14,7 @@ from scipy.optimize import Bounds, OptimizeResult, differential_evolution, minim
 
 from turnbuckle.lab.design import DesignError
 from turnbuckle.lab.design.design import Design, Outcome, Values
-from turnbuckle.model.machine import MachineError
+from turnbuckle.model.problem import MachineError
 from turnbuckle.model.workspace.maximin import climb
 from turnbuckle.model.workspace.rows import Array
 

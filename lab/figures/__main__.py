@@ -6,7 +6,8 @@ from turnbuckle.lab.figures import brau, yoon
 from turnbuckle.lab.figures.findings import Drawn, Finding
 from turnbuckle.lab.figures.table1 import table1
 from turnbuckle.model.files import write_whole
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "figures.md"

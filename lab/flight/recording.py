@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from turnbuckle.codegen.bind import REALS
 from turnbuckle.codegen.controller import layouts
 from turnbuckle.lab.flight import FlightError
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.places import MACHINES
 
 Layout = np.dtype[np.void]

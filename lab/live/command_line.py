@@ -113,7 +113,7 @@ def run(
         --bus cable2=slcan:/dev/ttyACM1 --bus base=socketcan:can0
     """
     from turnbuckle.lab.live.run import Order, Voices, run_machine
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     refuse_contradictions(sim, wire, bus, seconds)
     machine = load_machine(file)

@@ -19,7 +19,8 @@ from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.identity import hash_of
 from turnbuckle.lab.live.telemetry import Request, Telemetry, default_path, running
 from turnbuckle.lab.live.view import Reading, show
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 REFRESH = 0.2
 """Seconds between two pictures."""

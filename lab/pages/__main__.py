@@ -9,7 +9,8 @@ from turnbuckle.lab.pages.documents import copy_documents, documents, on_site
 from turnbuckle.lab.pages.machine import machine_page
 from turnbuckle.lab.pages.picture import draw_machine
 from turnbuckle.lab.pages.reference import write_reference
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[3]
 #: Titles of the menu and their pages, in order.

@@ -9,7 +9,7 @@ from pathlib import Path
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.lab.demo import plan_task, plant_of
 from turnbuckle.lab.soak.run import Finding, SoakRun
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 Progress = Callable[[int], None]
 """Told how many cycles of work both runs together have done."""

@@ -1,15 +1,10 @@
 """A drive together with what it moves: scales between its numbers and metres and newton metres."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from turnbuckle.model.bus.tables import Drive, Rating
-
-if TYPE_CHECKING:
-    from turnbuckle.model.machine import Machine
+from turnbuckle.model.machine import Machine
 
 MILLE = 1000
 # A quotient of rounded numbers may miss a whole number by this much.

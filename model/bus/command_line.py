@@ -26,7 +26,7 @@ def bus(
       turnbuckle bus machines/yoon2023.toml
     """
     from turnbuckle.model.bus.report import as_data, table
-    from turnbuckle.model.machine import load_machine
+    from turnbuckle.model.reading import load_machine
 
     machine = load_machine(file)
     if as_json:

@@ -7,19 +7,14 @@ and in the cycle all those of other nodes; an answer that is later than its phas
 once, and is bridged.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from turnbuckle.model.bus.frames import ROUNDING, Pace, cyclic, messages, of_other_nodes
 from turnbuckle.model.bus.response import Message, recovery_bits, response_time, utilisation
 from turnbuckle.model.bus.tables import Drive, OtherNode, Supervision
-
-if TYPE_CHECKING:
-    from turnbuckle.model.machine import Machine
+from turnbuckle.model.machine import Machine
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,8 @@
 """What must hold between the tables of buses, drives and motors, and the rest of the machine."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from turnbuckle.model.bus.alternatives import alternatives, counted
 from turnbuckle.model.bus.axis import Axis, axes, base_drive, drive_names
@@ -16,10 +14,8 @@ from turnbuckle.model.bus.tables import (
     MASTER_NODE,
     Rating,
 )
+from turnbuckle.model.machine import Machine
 from turnbuckle.model.problem import FOUND_NOTHING, Problem, key_path, nearest, problem_at, shown
-
-if TYPE_CHECKING:
-    from turnbuckle.model.machine import Machine
 
 # A quotient of two rounded numbers may miss a whole number by this much.
 ROUNDING = 1e-9

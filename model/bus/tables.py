@@ -112,7 +112,7 @@ class OtherNode(Table):
 class Rating(Table):
     """A motor with its encoder; rated torque (6076) = nominal current x torque constant."""
 
-    nominal_current: Current = Field(description="3001:1, continuous current: what the motor bears without a limit of time [A]")
+    nominal_current: Current = Field(description="3001:1, continuous current of the motor [A]")
     current_limit: Current = Field(description="3001:2, most that the drive gives it [A]")
     torque_constant: TorqueConstant = Field(description="3001:5 [N m/A]")
     encoder_counts: Counts = Field(description="counts a turn, four times the pulses of 3010:1")

@@ -24,8 +24,8 @@ from turnbuckle.lab.lockstep import Lockstep, Request, State
 from turnbuckle.lab.machine_sim import SimulatedMachine
 from turnbuckle.lab.task import Task
 from turnbuckle.model.bus.axis import axes
-from turnbuckle.model.machine import load_machine
 from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 
 SOMEWHERE = [0.15, 0.11, 0.13, 0.09]
 """Rail coordinates [m] in which the bases were left."""

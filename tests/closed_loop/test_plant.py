@@ -9,7 +9,8 @@ from variants import STOCK
 from turnbuckle.lab.hand import Hand, Path
 from turnbuckle.lab.plant import PlanarPlant
 from turnbuckle.lab.strand import PRESLIDING, Friction, Pair
-from turnbuckle.model.machine import Machine, Plant, load_machine
+from turnbuckle.model.machine import Machine, Plant
+from turnbuckle.model.reading import load_machine
 
 CENTRE = (0.3559, 0.2309)
 

@@ -11,7 +11,8 @@ from turnbuckle.lab.demo import plan_task, plant_of
 from turnbuckle.lab.drives.wire import WIRES, Conditions
 from turnbuckle.lab.lockstep import Lockstep, State
 from turnbuckle.lab.machine_sim import SimulatedMachine
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = variants.ROOT
 MACHINES = [

@@ -9,8 +9,9 @@ from variants import STOCK
 
 from turnbuckle.lab.summary import penetration
 from turnbuckle.lab.task import CLEARANCE, RESERVE, SHARE, Capability, Planner, Task
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
 from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 
 
 @pytest.fixture

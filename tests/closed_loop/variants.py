@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from turnbuckle.codegen.bind import Generated
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

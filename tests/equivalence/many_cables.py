@@ -11,7 +11,8 @@ from turnbuckle.codegen.lower import lower
 from turnbuckle.codegen.model import composed
 from turnbuckle.codegen.simplify import simplify
 from turnbuckle.model.kind import KINDS
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.symbolic import tension
 from turnbuckle.model.symbolic.wrench_norm import weights
 

@@ -13,7 +13,7 @@ from turnbuckle.codegen.bind import REALS, Generated, folder_of
 from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.codegen.verify import Row, Trial, verify
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 MACHINES = sorted((Path(__file__).parents[1] / "machines").glob("*.toml"))
 POINTS = 100

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from turnbuckle.lab.pages.equations import Equation, Names, equations
 from turnbuckle.lab.pages.machine import SECTIONS, machine_page
 from turnbuckle.lab.pages.tex import rounded, tex_of
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference import kinematics, statics
 
 Array = NDArray[np.float64]

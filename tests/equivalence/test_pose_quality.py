@@ -11,7 +11,8 @@ from turnbuckle.codegen.hard_cases import HardSampler
 from turnbuckle.codegen.judges.tensions import TENSION_ROUNDINGS
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.codegen.verify import verify
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.symbolic.function import Status
 from turnbuckle.model.symbolic.tension import QUICK_TOLERANCE
 

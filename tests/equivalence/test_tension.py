@@ -14,7 +14,8 @@ from turnbuckle.codegen.hard_cases import HardSampler
 from turnbuckle.codegen.judges.problem import Problem
 from turnbuckle.codegen.judges.tensions import distribution
 from turnbuckle.codegen.samples import Sampler
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.optimality import optimality_gap
 from turnbuckle.model.reference.tension import POLICIES, distribute_tension
 from turnbuckle.model.reference.wrench_set import slabs

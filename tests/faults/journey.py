@@ -13,7 +13,8 @@ from turnbuckle.lab.demo import plan_task, plant_of
 from turnbuckle.lab.drives.wire import Conditions
 from turnbuckle.lab.lockstep import Lockstep, Request, State
 from turnbuckle.lab.machine_sim import ORDINARY, SimulatedMachine
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 

@@ -9,7 +9,7 @@ from unicorn import UcError
 from turnbuckle.lab.benchmark.cortex_m4.build import program
 from turnbuckle.lab.benchmark.cortex_m4.comparison import COMMON, CountRow, count_instructions
 from turnbuckle.lab.benchmark.cortex_m4.emulator import DATA, Emulator
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 C = """

@@ -10,7 +10,7 @@ from turnbuckle.lab.benchmark.cycle.cost import CycleRow, Replay, time_work
 from turnbuckle.lab.benchmark.cycle.recording import Cycles, Recorder
 from turnbuckle.lab.benchmark.targets import cycle_target
 from turnbuckle.lab.benchmark.timing import Timing
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 

@@ -24,7 +24,8 @@ from turnbuckle.lab.benchmark.map.comparison import (
 from turnbuckle.lab.benchmark.map.scene import Scene, scenes
 from turnbuckle.lab.benchmark.targets import map_targets
 from turnbuckle.lab.benchmark.timing import Timing
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 #: Rounding that margin and factor of exact methods may differ by, in units of eps and of T_max.

@@ -8,7 +8,8 @@ import pytest
 from turnbuckle.lab.benchmark.step.comparison import casadi_step, our_step
 from turnbuckle.lab.benchmark.step.motion import recorded_inputs
 from turnbuckle.lab.benchmark.tension_problems import Reals
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 CYCLES = 3000

@@ -23,7 +23,7 @@ from turnbuckle.lab.benchmark.targets import table1_target
 from turnbuckle.lab.benchmark.tension import Agreement, Row, TensionTable, compare
 from turnbuckle.lab.benchmark.tension_problems import TensionProblems
 from turnbuckle.lab.benchmark.timing import Timing
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 #: Rounding that the tensions of two exact methods may differ by, in units of eps T_max.

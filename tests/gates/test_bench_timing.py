@@ -14,7 +14,8 @@ from turnbuckle.lab.benchmark.targets import Target
 from turnbuckle.lab.benchmark.tension import Reference, compare
 from turnbuckle.lab.benchmark.tension_problems import TensionProblems, tension_problems
 from turnbuckle.lab.benchmark.timing import time_in_turn
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 GENERATED = ROOT / "generated" / "yoon2023"

@@ -21,7 +21,7 @@ from pathlib import Path
 import turnbuckle.codegen.accuracy_cache as cache
 from turnbuckle.codegen.model import build_model
 from turnbuckle.codegen.generate import render
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 machine = load_machine(sys.argv[1])
 model = build_model(machine)
 cache.CACHE = Path(sys.argv[2])

@@ -13,7 +13,7 @@ from pathlib import Path
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.codegen.map_tally import tally
 from turnbuckle.codegen.pose_map import PoseMap, target_grid
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 machine = load_machine("machines/yoon2023.toml")
 generated = Generated(machine, Path("generated/yoon2023"), "double")
 columns, rows = int(sys.argv[1]), int(sys.argv[2])

@@ -28,7 +28,8 @@ from turnbuckle.codegen.verify import call
 from turnbuckle.lab.demo import plan_task, plant_of
 from turnbuckle.lab.lockstep import SHIM, Lockstep, State
 from turnbuckle.lab.machine_sim import SimulatedMachine
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 CORE, CANOPEN, CAN = (ROOT / "runtime" / part for part in ("core", "canopen", "can"))

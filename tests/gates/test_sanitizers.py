@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.codegen.hard_cases import HardSampler
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 machine = load_machine(sys.argv[1])
 for precision in ("double", "float"):

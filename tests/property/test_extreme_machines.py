@@ -18,8 +18,9 @@ from turnbuckle.codegen.bus.dbc import dbc_files
 from turnbuckle.codegen.bus.drives import drive_fields
 from turnbuckle.codegen.constants import Constant, constants
 from turnbuckle.model.bus.axis import axes
-from turnbuckle.model.machine import Machine, MachineError, load_machine, machine_from
-from turnbuckle.model.problem import key_path
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import MachineError, key_path
+from turnbuckle.model.reading import load_machine, machine_from
 from turnbuckle.model.units import QuantityError, Written, unit, written
 
 MACHINES = Path(__file__).parents[2] / "machines"

@@ -7,7 +7,8 @@ import numpy.typing as npt
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.machine import Cable, Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.kinematics import (
     cable_lengths,
     forward_kinematics,

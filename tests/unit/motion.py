@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.codegen.controller import RUNTIME_CORE, Controller
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import base_targets
 from turnbuckle.model.workspace.extent import least_margin, tension_capable, theoretical_share
 from turnbuckle.model.workspace.feasible import ball_margin

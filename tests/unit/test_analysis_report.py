@@ -10,7 +10,8 @@ from turnbuckle.lab.analysis.compare import changed_keys, compare
 from turnbuckle.lab.analysis.figures import Figure, Findings, figures
 from turnbuckle.lab.analysis.quantities import lag_quantity, quantities
 from turnbuckle.lab.analysis.report import as_json, as_markdown, rows, verdict
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.workspace.words import percent
 
 ROOT = Path(__file__).parents[2]

@@ -10,7 +10,9 @@ from typing import Any
 import pytest
 
 from turnbuckle.model.bus.plan import BusPlan, bus_plans, compute_phase, loads, timing
-from turnbuckle.model.machine import Machine, MachineError, load_machine, machine_from
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine, machine_from
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
 TABLES = tomllib.loads(STOCK.read_text())

@@ -13,7 +13,7 @@ from typer.testing import CliRunner, Result
 import turnbuckle.codegen.generate
 from turnbuckle.codegen.generate import generate
 from turnbuckle.command_line import app
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

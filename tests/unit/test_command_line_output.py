@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from turnbuckle.command_line import app
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -13,7 +13,7 @@ from turnbuckle.codegen.bus.dbc import dbc_files, power_words
 from turnbuckle.model.bus.axis import Axis, axes
 from turnbuckle.model.bus.frames import messages
 from turnbuckle.model.bus.plan import loads, timing
-from turnbuckle.model.machine import load_machine, machine_from
+from turnbuckle.model.reading import load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

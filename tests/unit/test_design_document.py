@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from turnbuckle.lab.design.document import Changes, Document
-from turnbuckle.model.machine import MachineError, load_machine
+from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

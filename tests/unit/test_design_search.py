@@ -12,7 +12,8 @@ from turnbuckle.lab.design.design import Design
 from turnbuckle.lab.design.improve import Improvement, NoImprovement, improvement
 from turnbuckle.lab.design.search import TRUST, Trials, merit, polish, search, slopes
 from turnbuckle.lab.design.target import isotropic_force, needed_tension, target_poses
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference import quality
 from turnbuckle.model.reference.control import base_targets
 from turnbuckle.model.workspace.maximin import climb

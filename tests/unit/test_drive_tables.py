@@ -16,7 +16,8 @@ from turnbuckle.codegen.bus.drives import drive_fields, node_frames
 from turnbuckle.codegen.compile import compile_library
 from turnbuckle.codegen.generate import TEMPLATES
 from turnbuckle.model.bus.axis import Axis, axes
-from turnbuckle.model.machine import Machine, load_machine, machine_from
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

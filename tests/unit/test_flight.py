@@ -28,7 +28,7 @@ from turnbuckle.lab.flight.recording import (
 from turnbuckle.lab.flight.replay import Supervisor, compile_supervisor, run_again
 from turnbuckle.lab.flight.table import times
 from turnbuckle.lab.flight.words import cause_names, words
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 MACHINE = STOCK.parents[1] / "machines" / "yoon2023.toml"
 

@@ -9,7 +9,9 @@ from typing import Any
 import pytest
 
 from turnbuckle.model.bus.axis import axes, drive_names
-from turnbuckle.model.machine import Machine, MachineError, machine_from
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"

@@ -15,7 +15,8 @@ from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.identity import facts, machine_hash
 from turnbuckle.codegen.model import Model
 from turnbuckle.model.bus import frames
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.refusal import Refusal
 from turnbuckle.places import MACHINES
 

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from turnbuckle.model.machine import MachineError, load_machine
+from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 
 HEAD = """
 [machine]

@@ -10,7 +10,8 @@ from typing import Any
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
 
-from turnbuckle.model.machine import MachineError, load_machine
+from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
 CONTENT = STOCK.read_bytes()

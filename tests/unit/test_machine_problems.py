@@ -10,9 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from turnbuckle.model.machine import Machine, MachineError, load_machine, machine_from
+from turnbuckle.model.machine import Machine
 from turnbuckle.model.partial import forget, partial, value_at
-from turnbuckle.model.problem import key_path, location_of
+from turnbuckle.model.problem import MachineError, key_path, location_of
+from turnbuckle.model.reading import load_machine, machine_from
 from turnbuckle.model.table import WrongKey
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"

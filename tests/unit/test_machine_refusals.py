@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from machine_text import without_buses
 
-from turnbuckle.model.machine import MachineError, load_machine
+from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 from turnbuckle.places import MACHINES
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"

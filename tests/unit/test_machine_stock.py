@@ -8,7 +8,8 @@ import pytest
 from machine_text import without_buses
 
 from turnbuckle.model.base import FixedBase, RailBase, RailCoordinate
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 
 STOCK = Path(__file__).parents[2] / "machines" / "yoon2023.toml"
 WIDTH, HEIGHT = 0.7118, 0.4618

@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from turnbuckle.command_line import app
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.stock import stock_names
 from turnbuckle.places import MACHINES, RUNTIME
 

@@ -10,7 +10,8 @@ import pytest
 from turnbuckle.codegen.bind import Generated, generate_into_cache
 from turnbuckle.codegen.map_tally import tally
 from turnbuckle.codegen.pose_map import SHIM, Grid, PoseMap, Reals, target_grid
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.refusal import Refusal
 from turnbuckle.model.symbolic.function import Status
 

@@ -14,7 +14,8 @@ from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.model import Model
 from turnbuckle.model.bus import frames
 from turnbuckle.model.bus.axis import axes
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.places import MACHINES
 
 SOURCES = [RUNTIME / "canopen" / "pdo.c"]

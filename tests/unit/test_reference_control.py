@@ -5,7 +5,8 @@ import numpy.typing as npt
 import pytest
 from scipy import signal
 
-from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.machine import Cable, Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import (
     BasePid,
     base_pid,

@@ -5,7 +5,8 @@ import numpy.typing as npt
 import pytest
 from scipy.optimize import OptimizeResult, least_squares
 
-from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.machine import Cable, Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.kinematics import (
     base_points,
     cable_lengths,

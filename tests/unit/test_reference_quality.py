@@ -6,7 +6,8 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.machine import Cable, Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import base_targets
 from turnbuckle.model.reference.kinematics import structure_matrix
 from turnbuckle.model.reference.quality import (

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.kinematics import cable_lengths, structure_matrix
 from turnbuckle.model.reference.statics import rail_forces, wrench
 

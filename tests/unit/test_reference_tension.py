@@ -7,7 +7,8 @@ import pytest
 import quadprog
 from scipy.optimize import linprog, lsq_linear
 
-from turnbuckle.model.machine import Cable, Machine, load_machine
+from turnbuckle.model.machine import Cable, Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.kinematics import structure_matrix
 from turnbuckle.model.reference.optimality import optimality_gap
 from turnbuckle.model.reference.tension import (

@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from turnbuckle import load_machine
 from turnbuckle.command_line import app
-from turnbuckle.model.machine import MachineError
+from turnbuckle.model.problem import MachineError
 from turnbuckle.model.stock import stock_names
 from turnbuckle.places import MACHINES
 

@@ -13,7 +13,7 @@ import unmeasured
 from supervised import CABLES, STOP, Cause, Drive, Machine, Phase, Power, State
 
 from turnbuckle.codegen.bind import keep_text
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 
 BASES = np.array([[0.3559, 0.0], [0.7118, 0.2309], [0.3559, 0.4618], [0.0, 0.2309]])
 """The first is on a rail along the lower side; here it is in the middle."""

@@ -6,7 +6,8 @@ import pytest
 import quadprog
 from scipy.optimize import linprog
 
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference import quality
 from turnbuckle.model.reference.control import base_targets
 from turnbuckle.model.reference.kinematics import structure_matrix

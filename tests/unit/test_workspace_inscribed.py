@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.workspace.feasible import ball_margin
 from turnbuckle.model.workspace.inscribed import largest_circle, largest_screen
 from turnbuckle.model.workspace.maps import Measure

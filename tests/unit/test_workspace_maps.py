@@ -4,7 +4,8 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from turnbuckle.model.machine import Machine, load_machine
+from turnbuckle.model.machine import Machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import base_targets
 from turnbuckle.model.workspace.actuators import choose_actuators
 from turnbuckle.model.workspace.feasible import ball_margin

@@ -12,7 +12,7 @@ from test_bring_up_on_vcan import told_of
 
 from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live.run import bench_of
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.places import MACHINES
 
 WITH_BUSES = [path for path in sorted(MACHINES.glob("*.toml")) if load_machine(path).buses]

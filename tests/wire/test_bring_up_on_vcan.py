@@ -18,7 +18,7 @@ from turnbuckle.lab.demo import plan_task, plant_of
 from turnbuckle.lab.drives.wire import WIRES
 from turnbuckle.lab.live.program import build_program
 from turnbuckle.lab.live.simulated import Bench
-from turnbuckle.model.machine import load_machine
+from turnbuckle.model.reading import load_machine
 from turnbuckle.model.reference.control import base_targets
 
 INSIDE = Path(__file__).with_name("bring_up_in_guest.py")

@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 
 from turnbuckle.codegen.bus.drives import drive_fields
 from turnbuckle.codegen.generate import TEMPLATES
-from turnbuckle.model.machine import machine_from
+from turnbuckle.model.reading import machine_from
 
 C = canopen_c()
 CABLE, BASE = 0, 4
