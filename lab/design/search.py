@@ -23,7 +23,6 @@ Shares = npt.NDArray[np.float64]
 Tell = Callable[[str, float], None]
 """Told what is being done and the share that is done."""
 
-METHODS = ("global", "local")
 REFUSED = -1e12
 """Merit of a machine that there is not; below that of all that there are."""
 DIFFERENCE = 1e-6

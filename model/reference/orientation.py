@@ -64,13 +64,6 @@ def moment(arm: Array, force: Array) -> Array:
     return np.asarray(arm[..., 0] * force[..., 1] - arm[..., 1] * force[..., 0])[..., None]
 
 
-def _polynomial(turn: Array, first: Array, second: Array) -> Array:
-    """I + first turn + second turn^2."""
-    identity = np.eye(3, dtype=turn.dtype)
-    linear, quadratic = first[..., None, None] * turn, second[..., None, None] * turn
-    return np.asarray(identity + linear + quadratic @ turn)
-
-
 def _sine_quotient(angle: Array) -> Array:
     """sin(angle) / angle, 1 at zero."""
     return np.divide(np.sin(angle), angle, out=np.ones_like(angle), where=angle != 0)

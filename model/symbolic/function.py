@@ -131,11 +131,6 @@ class ModelFunction:
         """Arguments and results in order."""
         return (*self.inputs, *self.outputs)
 
-    @property
-    def can_be_inaccurate(self) -> bool:
-        """Whether the function checks its own result."""
-        return any(verdict.status is Status.INACCURATE for verdict in self.verdicts)
-
 
 @dataclass(frozen=True)
 class Retry:
