@@ -369,7 +369,19 @@ def test_a_machine_without_buses_takes_the_step_alone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "prefix",
-    ["", "x", "tb", "Left", "left_arm", "_left", "2nd", "lefté", "a" * 17, "le ft", *KEYWORDS],
+    [
+        "",
+        "x",
+        "tb",
+        "Left",
+        "left_arm",
+        "_left",
+        "2nd",
+        "lefté",
+        "a" * 17,
+        "le ft",
+        *sorted(KEYWORDS),
+    ],
 )
 def test_a_prefix_that_c_does_not_allow_is_refused_in_one_sentence(prefix: str) -> None:
     with pytest.raises(PrefixError, match=f'--prefix: found "{prefix}"; allowed: 2 to 16 lower'):
