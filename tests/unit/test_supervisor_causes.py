@@ -300,6 +300,24 @@ def test_lengths_that_disagree_are_found_in_run(moments: tuple[Machine, Moments]
     assert any(machine.orders.slack) or machine.orders.state == State.SOFT_STOP
 
 
+def test_a_hard_stop_lets_go_in_the_cycle_in_which_its_cause_is_found(
+    moments: tuple[Machine, Moments],
+) -> None:
+    machine, saved = moments
+    machine.restore(saved["RUN NONE"])
+
+    def fault(seen: Observation) -> None:
+        seen.drives[0].power = Power.FAULT
+
+    machine.run(50)
+    before = [machine.orders.drives[cable].torque for cable in range(1, CABLES)]
+    machine.step(fault)
+    assert machine.orders.state == State.HARD_STOP
+    after = [machine.orders.drives[cable].torque for cable in range(1, CABLES)]
+    wanted = [torque - NUMBERS["TB_TORQUE_STEP"] for torque in before]
+    assert after == pytest.approx(np.maximum(wanted, 0.0), abs=1e-12)
+
+
 def test_what_the_controller_found_is_forgotten_in_a_stop(
     moments: tuple[Machine, Moments],
 ) -> None:
