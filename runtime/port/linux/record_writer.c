@@ -102,7 +102,7 @@ static void conclude(tb_writing *writing)
     check(writing, (ftruncate(descriptor, (off_t)size) == 0) && (fdatasync(descriptor) == 0));
 }
 
-_Noreturn void tb_record_write(const tb_record_writer *writer)
+void tb_record_write(const tb_record_writer *writer)
 {
     tb_writing writing = {.with = writer};
     ignore_signals();

@@ -19,7 +19,7 @@ typedef struct {
 } tb_record_writer;
 
 /** Write until the program has ended, then end this process. */
-_Noreturn void tb_record_write(const tb_record_writer *writer);
+void tb_record_write(const tb_record_writer *writer);
 
 #ifdef __cplusplus
 }
