@@ -34,7 +34,10 @@ KEYWORDS = frozenset(_KEYWORDS.split())
 TAKEN = frozenset(_TAKEN.split())
 
 #: What a machine without buses takes of the runtime: the controller step.
-STEP = ("core/controller", "core/torque_gate")
+STEP = (
+    *("core/runtime_version.h", "core/controller.h", "core/torque_gate.h"),
+    *("core/controller.c", "core/torque_gate.c"),
+)
 PARTS = ("core", "canopen", "can")
 #: What needs an operating system, in a folder of its own.
 ON_LINUX = ("serial_line", "slcan", "slcan_lines", "slcan_opening", "socketcan")
@@ -91,7 +94,7 @@ def runtime_files(machine: Machine, banner: str) -> dict[str, str]:
     if machine.buses:
         paths = [path for part in PARTS for path in sorted((RUNTIME / part).glob("*.[ch]"))]
     else:
-        paths = [RUNTIME / f"{name}.{kind}" for name in STEP for kind in ("h", "c")]
+        paths = [RUNTIME / name for name in STEP]
     return {place(path): f"{banner}\n{path.read_text()}" for path in paths}
 
 

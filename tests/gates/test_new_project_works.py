@@ -64,7 +64,7 @@ def square(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_drift_is_noticed_and_made_good_by_make(square: Path) -> None:
     for changed, old, new in (
-        ("arm.toml", '"5 N"', '"4 N"'),
+        ("arm.toml", '"10 N"', '"9 N"'),
         ("generated/tb_control.c", "TB_C(0.0)", "TB_C(0.1)"),
         ("runtime/core/torque_gate.c", "<", "<="),
     ):
