@@ -11,9 +11,9 @@ from platformdirs import user_cache_path
 
 PACKAGE = Path(__file__).parent
 #: The C runtime.
-RUNTIME = PACKAGE / "runtime"
+RUNTIME = (PACKAGE / "runtime").resolve()
 #: The stock machines.
-MACHINES = PACKAGE / "machines"
+MACHINES = (PACKAGE / "machines").resolve()
 
 
 @cache

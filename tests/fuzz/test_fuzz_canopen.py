@@ -47,8 +47,8 @@ DEFECTS = {
     "pdo: a status message of any length": (
         "pdo",
         "pdo",
-        "frame->length != STATUS_LENGTH",
-        "frame->length < STATUS_LENGTH",
+        "frame->length != TB_STATUS_LENGTH",
+        "frame->length < TB_STATUS_LENGTH",
     ),
     "pdo: a fault reset that nobody asked for": (
         "pdo",

@@ -12,10 +12,10 @@ PEERS = ROOT / "build" / "peers"
 
 def locked_source(package: str) -> tuple[str, str]:
     """Version and hashes of a package in the lock, as a requirement that pip reads."""
-    lock = (ROOT / "requirements.lock").read_text()
+    lock = (ROOT / "requirements-dev.lock").read_text()
     match = re.search(rf"^{package}==(\S+) \\\n(?:    --hash=\S+(?: \\)?\n)+", lock, re.MULTILINE)
     if match is None:
-        raise RuntimeError(f"requirements.lock does not pin {package}")
+        raise RuntimeError(f"requirements-dev.lock does not pin {package}")
     return match[1], match[0]
 
 

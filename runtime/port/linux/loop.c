@@ -128,5 +128,5 @@ tb_end tb_loop_run(tb_loop *loop)
         run_cycle(loop, &grid);
     }
     tb_watchdog_stopping(&loop->watchdog);
-    return TB_END_OFF;
+    return (tb_stop_wished() > 1) ? TB_END_AT_ONCE : TB_END_OFF;
 }

@@ -15,7 +15,8 @@ static void count_wish(int signal)
 
 void tb_stop_listen(void)
 {
-    struct sigaction const count = {.sa_handler = count_wish, .sa_flags = SA_RESTART};
+    struct sigaction count = {.sa_handler = count_wish, .sa_flags = SA_RESTART};
+    sigfillset(&count.sa_mask); /* one signal at a time: two together are two wishes */
     struct sigaction const ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGINT, &count, NULL);
     sigaction(SIGTERM, &count, NULL);

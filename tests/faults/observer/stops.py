@@ -129,8 +129,14 @@ class Stop:
         return min(self.start[drive.name], drive.bounds.weakest)
 
     def soft_bases(self, cycle: int) -> None:
-        """Forces of the bases fall to none, at the gate's rate, either way they push."""
+        """Forces of the bases fall to none, at the gate's rate, either way they push.
+
+        What the master hears after it has computed acts one cycle later: what is told in the
+        stop's first cycle may still be from before.
+        """
         for drive in self._hearing(self._bases, cycle):
+            if cycle == self.begin:
+                self.start[drive.name] = max(self.start[drive.name], drive.pull(cycle), key=abs)
             steps = (cycle - self.begin) // drive.wire.divider
             most = max(0, abs(self.start[drive.name]) - steps * (drive.bounds.step - 1)) + 1
             force = drive.pull(cycle)
