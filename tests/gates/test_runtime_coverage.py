@@ -70,12 +70,18 @@ def coverage(folder: Path, *tests: str) -> dict[str, Share]:
 
 def test_the_tests_go_through_the_runtime(tmp_path: Path) -> None:
     reached = coverage(tmp_path, "-k", f"not ({LEFT_OUT})", *TESTS)
-    for name in FOLDERS:
-        for path in (RUNTIME / name).glob("*.c"):
-            file = path.relative_to(RUNTIME).as_posix()
-            least = LEAST.get(file, Share(100.0, 100.0))
-            assert reached[file].lines >= least.lines, file
-            assert reached[file].branches >= least.branches, file
+    files = [
+        path.relative_to(RUNTIME).as_posix()
+        for name in FOLDERS
+        for path in (RUNTIME / name).glob("*.c")
+    ]
+    assert {file: reached[file] for file in files if is_missed(file, reached[file])} == {}
+
+
+def is_missed(file: str, reached: Share) -> bool:
+    """Whether less of a file is reached than should be."""
+    least = LEAST.get(file, Share(100.0, 100.0))
+    return reached.lines < least.lines or reached.branches < least.branches
 
 
 def test_fewer_tests_are_found_to_miss_something(tmp_path: Path) -> None:

@@ -223,6 +223,11 @@ def test_a_controller_that_searches_its_pose_is_started_where_the_platform_is() 
     controller = Controller(generated)
     assert controller.start(lengths, rails) == Status.OK
     assert np.allclose(controller.memory["pose"][0], pose, rtol=0, atol=1e-9)
+    outputs = controller.step(lengths, rails, np.zeros(machine.dof), np.zeros(machine.dof))
+    assert outputs.status == Status.OK
+    assert np.allclose(outputs.pose, pose, rtol=0, atol=1e-9)
+    assert controller.start(10.0 * lengths, rails) != Status.OK
+    assert np.array_equal(controller.memory["pose"][0, :2], machine.target.centre)
 
 
 def test_torques_and_the_memory_of_bases_are_taken_over(controller: Controller) -> None:

@@ -56,6 +56,7 @@ def test_a_cause_is_hard_where_the_document_says_so() -> None:
     is_hard.restype = ctypes.c_bool
     found = {cause.name for cause in supervised.Cause if is_hard(cause)}
     assert found == {row.cause for row in rows() if row.hard}
+    assert not is_hard(len(supervised.Cause))
 
 
 def test_there_is_advice_for_every_cause_but_a_stop_that_was_asked_for() -> None:
