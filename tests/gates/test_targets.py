@@ -107,9 +107,9 @@ def cyclic_calls(target: Target, program: Path, clock: str, folder: Path) -> set
             run.await_state(FAULT)  # bring-up, a fault and its words included
             status, _, err = run.end(signal.SIGTERM)
             assert status == 1, err
-    lines = re.findall(r"^(\d+) (\w+)\(", trace.read_text(), re.MULTILINE)
-    process = next(number for number, call in lines if call == "sched_setaffinity")
-    calls = [call for number, call in lines if number == process]  # the writer is not sealed
+    traced = re.findall(r"^(\d+) (\w+)\(", trace.read_text(), re.MULTILINE)
+    process = next(number for number, call in traced if call == "sched_setaffinity")
+    calls = [call for number, call in traced if number == process]  # the writer is not sealed
     return set(calls[calls.index("sched_setaffinity") + 1 :])
 
 
