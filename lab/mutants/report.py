@@ -66,7 +66,7 @@ def explanation(mutant: Mutation) -> str | None:
 def _files(results: Results) -> str:
     tried = Counter(mutant.file for mutant, _ in results)
     alive = Counter(mutant.file for mutant, verdict in results if not verdict.killer)
-    rows = [f"| `{file}` | {tried[file]} | {alive[file]} |" for file in sorted(tried)]
+    rows = [f"| `runtime/{file}` | {tried[file]} | {alive[file]} |" for file in sorted(tried)]
     return "\n".join(["| file | mutants | survive |", "|---|---|---|", *rows, ""])
 
 
