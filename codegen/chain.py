@@ -34,7 +34,7 @@ class Link:
 
 
 @dataclass(frozen=True)
-class Chain:
+class Chain(Item):
     """A function made of calls in sequence: see Composition."""
 
     composition: Composition
@@ -52,16 +52,6 @@ class Chain:
             tuple(v for link in self.links for v in link.item.function.verdicts),
         )
 
-    @property
-    def steps(self) -> int:
-        """Most steps of its own loop."""
-        return 0
-
-    @property
-    def visits(self) -> int:
-        """Subsets of the cables that it visits itself."""
-        return 0
-
     def calls(self) -> Sequence[tuple[Item, int]]:
         """Every link once."""
         return [(link.item, 1) for link in self.links]
@@ -69,10 +59,6 @@ class Chain:
     def own(self) -> Sequence[Item]:
         """What it alone calls."""
         return [link.item for link in self.links if link.own]
-
-    def operations(self) -> Mapping[str, int]:
-        """None of its own."""
-        return {}
 
     def text(self) -> str:
         """Its name, and how its parts are called."""

@@ -1,6 +1,6 @@
 """Sweeps over subsets of the cables, lowered."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from turnbuckle.codegen.fitting import refuse_strangers, shapes
@@ -11,7 +11,7 @@ from turnbuckle.model.symbolic.sweep import CHOSEN, NUMBERS, Sweep
 
 
 @dataclass(frozen=True)
-class Enumeration:
+class Enumeration(Item):
     """A function that visits subsets: see Sweep."""
 
     sweep: Sweep
@@ -44,11 +44,6 @@ class Enumeration:
         return shape[0], shape[1]
 
     @property
-    def steps(self) -> int:
-        """Most steps of its own loop."""
-        return 0
-
-    @property
     def visits(self) -> int:
         """Subsets of the cables that it visits itself."""
         return len(self.sweep.subsets)
@@ -60,10 +55,6 @@ class Enumeration:
     def own(self) -> Sequence[Item]:
         """What it alone calls."""
         return [self.begin, self.visit, self.finish]
-
-    def operations(self) -> Mapping[str, int]:
-        """None of its own."""
-        return {}
 
     def text(self) -> str:
         """Its name, and how its parts are called."""

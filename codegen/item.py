@@ -1,5 +1,6 @@
 """What the generator prints, evaluates and measures: a routine, or a function made of others."""
 
+from abc import abstractmethod
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Protocol
@@ -17,20 +18,26 @@ class Item(Protocol):
     @property
     def steps(self) -> int:
         """Most steps of its own loop."""
+        return 0
 
     @property
     def visits(self) -> int:
         """Subsets of the cables that it visits itself."""
+        return 0
 
     def calls(self) -> Sequence[tuple["Item", int]]:
         """What it calls, and how often at most, in the longest sequence."""
+        return ()
 
     def own(self) -> Sequence["Item"]:
         """What it alone calls."""
+        return ()
 
     def operations(self) -> Mapping[str, int]:
         """Its own operations with every branch counted, by class, without what it calls."""
+        return {}
 
+    @abstractmethod
     def text(self) -> str:
         """All that decides what it computes, without what it calls, as text."""
 

@@ -1,6 +1,6 @@
 """Loops, lowered."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import casadi as ca
@@ -19,7 +19,7 @@ from turnbuckle.model.symbolic.function import (
 
 
 @dataclass(frozen=True)
-class Loop:
+class Loop(Item):
     """A function that repeats a routine: see Repeat."""
 
     repeat: Repeat
@@ -55,11 +55,6 @@ class Loop:
         """Most steps of its own loop."""
         return self.repeat.most
 
-    @property
-    def visits(self) -> int:
-        """Subsets of the cables that it visits itself."""
-        return 0
-
     def calls(self) -> Sequence[tuple[Item, int]]:
         """Begin once, the step at most so often, the finish once."""
         return [(self.begin, 1), (self.step, self.repeat.most), (self.finish, 1)]
@@ -67,10 +62,6 @@ class Loop:
     def own(self) -> Sequence[Item]:
         """What it alone calls."""
         return [self.begin, self.step, self.finish]
-
-    def operations(self) -> Mapping[str, int]:
-        """None of its own."""
-        return {}
 
     def text(self) -> str:
         """Its name, and how its parts are called."""

@@ -1,6 +1,6 @@
 """Attempts in turn, lowered."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from turnbuckle.codegen.item import Item
@@ -8,7 +8,7 @@ from turnbuckle.model.symbolic.function import ModelFunction, Retry
 
 
 @dataclass(frozen=True)
-class Procedure:
+class Procedure(Item):
     """A function made of items that are tried in turn: see Retry."""
 
     retry: Retry
@@ -34,29 +34,11 @@ class Procedure:
         names = [argument.name for argument in self.attempts[0].function.inputs]
         return names.index(self.retry.argument)
 
-    @property
-    def steps(self) -> int:
-        """Most steps of its own loop."""
-        return 0
-
-    @property
-    def visits(self) -> int:
-        """Subsets of the cables that it visits itself."""
-        return 0
-
     def calls(self) -> Sequence[tuple[Item, int]]:
         """Items in the longest sequence they are called in."""
         served = len(self.substitute.function.outputs)
         parts = (self.attempts[0], self.substitute, *self.attempts * served)
         return [(part, 1) for part in parts]
-
-    def own(self) -> Sequence[Item]:
-        """What it alone calls."""
-        return ()
-
-    def operations(self) -> Mapping[str, int]:
-        """None of its own."""
-        return {}
 
     def text(self) -> str:
         """Its name, and how its parts are called."""
