@@ -195,13 +195,8 @@ def batch_source(folder: Path, content: dict[str, Any]) -> Path:
     )
     path = LIBRARIES / f"batch_{hashlib.sha256(text.encode()).hexdigest()[:16]}.c"
     if not path.exists():
-        keep_text(path, text)
+        write_whole(path, text)
     return path
-
-
-def keep_text(path: Path, text: str) -> None:
-    """Write a file whole: another process that reads it meanwhile sees all of it or none."""
-    write_whole(path, text)
 
 
 def generate_into_cache(machine: Machine) -> Path:

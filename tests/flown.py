@@ -7,9 +7,9 @@ from pathlib import Path
 
 from supervised import CORE, SHIM, STOCK, Machine, Observation, Orders
 
-from turnbuckle.codegen.bind import keep_text
 from turnbuckle.codegen.compile import LIBRARIES, compile_library
 from turnbuckle.lab.flight.replay import supervisor_sources
+from turnbuckle.model.files import write_whole
 
 SEGMENTS, SEGMENT_CYCLES = 40, 256
 """TB_RECORDER_SEGMENTS and TB_SEGMENT_CYCLES of runtime/core/recorder.h."""
@@ -67,8 +67,8 @@ size_t shim_read_out(const tb_recorder *recorder, unsigned char *out)
 def library_file() -> Path:
     """The stock machine's supervisor and recorder, with what it takes to run cycles again."""
     folder = LIBRARIES.parent / "flown"
-    keep_text(folder / "shim.c", SHIM)
-    keep_text(folder / "read_out.c", READ_OUT)
+    write_whole(folder / "shim.c", SHIM)
+    write_whole(folder / "read_out.c", READ_OUT)
     shims = [folder / "shim.c", folder / "read_out.c"]
     return compile_library([*supervisor_sources(STOCK), *shims], [STOCK, CORE])
 

@@ -14,9 +14,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from turnbuckle.codegen.bind import keep_text
 from turnbuckle.codegen.compile import compile_library
 from turnbuckle.lab.causes import causes
+from turnbuckle.model.files import write_whole
 
 ROOT = Path(__file__).parents[1]
 CORE = ROOT / "runtime" / "core"
@@ -195,9 +195,9 @@ def machine_folder(name: str, generated: Path, drives: Callable[[str], str]) -> 
     """The generated C of a machine; its tb_drives.* the stock machine's, changed by `drives`."""
     folder = BUILD / name
     for path in generated.glob("*.[ch]"):
-        keep_text(folder / path.name, path.read_text())
+        write_whole(folder / path.name, path.read_text())
     for path in STOCK.glob("tb_drives.[ch]"):
-        keep_text(folder / path.name, drives(path.read_text()))
+        write_whole(folder / path.name, drives(path.read_text()))
     return folder
 
 
@@ -209,7 +209,7 @@ def sources(machine: Path) -> list[Path]:
 def compiled(machine: Path) -> ctypes.CDLL:
     """The supervisor of a machine."""
     shim = BUILD / "shim.c"
-    keep_text(shim, SHIM)
+    write_whole(shim, SHIM)
     return ctypes.CDLL(str(compile_library([*sources(machine), shim], [machine, CORE])))
 
 

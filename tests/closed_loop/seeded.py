@@ -4,8 +4,8 @@ import ctypes
 
 import variants
 
-from turnbuckle.codegen.bind import keep_text
 from turnbuckle.lab.lockstep import FOLDERS, load
+from turnbuckle.model.files import write_whole
 
 Defect = tuple[str, str, str]
 """A file of the runtime, what stands in it once, and what takes its place."""
@@ -21,5 +21,5 @@ def runtime_with(name: str, *defects: Defect) -> ctypes.CDLL:
             if file == place:
                 assert text.count(right) == 1, right
                 text = text.replace(right, wrong)
-        keep_text(build / place, text)
+        write_whole(build / place, text)
     return load(variants.committed(), [build / folder.name for folder in FOLDERS])

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from unmeasured import geometry, machine_named
 
-from turnbuckle.codegen.bind import REALS, keep_text, pointer
+from turnbuckle.codegen.bind import REALS, pointer
 from turnbuckle.codegen.compile import LIBRARIES, compile_library
+from turnbuckle.model.files import write_whole
 from turnbuckle.model.machine import Machine
 
 ROOT = Path(__file__).parents[2]
@@ -54,7 +55,7 @@ class Part:
         digest = hashlib.sha256(repr(texts).encode()).hexdigest()[:16]
         folder = LIBRARIES.parent / "core" / digest
         for name, text in texts.items():
-            keep_text(folder / name, text)
+            write_whole(folder / name, text)
         files = [as_it_is(folder / name) for name in sources]
         files.append(generated.folder / "tb_kinematics.c")
         library = compile_library(files, [folder, generated.folder, CORE], generated.precision)

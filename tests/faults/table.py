@@ -11,7 +11,7 @@ from pairs import LATER, pair
 from trial import Outcome
 from verdict import BOUNDS, CAUSES, measured
 
-from turnbuckle.codegen.bind import keep_text
+from turnbuckle.model.files import write_whole
 
 BUILD = Path(__file__).parents[2] / "build"
 RESULTS = BUILD / "fault_campaign"
@@ -32,15 +32,15 @@ Run = tuple[Outcome, Sequence[Fault]]
 def keep(moment: str, outcomes: Outcomes) -> None:
     """Keep what was found at a moment, and write the table of all that is known."""
     found = {name: asdict(outcome) for name, outcome in outcomes.items()}
-    keep_text(RESULTS / f"{moment}.json", json.dumps(found))
-    keep_text(TABLE, table(kept(), kept_pairs()))
+    write_whole(RESULTS / f"{moment}.json", json.dumps(found))
+    write_whole(TABLE, table(kept(), kept_pairs()))
 
 
 def keep_pairs(part: str, outcomes: Pairs) -> None:
     """Keep what came of a part of the pairs of faults, and write the document again."""
     found = {seed: asdict(outcome) for seed, outcome in outcomes.items()}
-    keep_text(PAIRS / f"{part}.json", json.dumps(found))
-    keep_text(TABLE, table(kept(), kept_pairs()))
+    write_whole(PAIRS / f"{part}.json", json.dumps(found))
+    write_whole(TABLE, table(kept(), kept_pairs()))
 
 
 def kept_pairs() -> dict[int, Outcome]:

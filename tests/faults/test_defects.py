@@ -16,8 +16,8 @@ from pairs import Pair, run
 from trial import Trial
 from verdict import complaints, expected
 
-from turnbuckle.codegen.bind import keep_text
 from turnbuckle.lab.lockstep import FOLDERS, load
+from turnbuckle.model.files import write_whole
 from turnbuckle.places import RUNTIME
 
 BUILD = Path(__file__).parents[2] / "build" / "defects"
@@ -177,8 +177,8 @@ def defective() -> ctypes.CDLL:
     for folder, copy in zip(FOLDERS, folders, strict=True):
         for path in folder.glob("*.[ch]"):
             name = path.relative_to(RUNTIME).as_posix()
-            keep_text(copy / path.name, with_defects(name, path.read_text()))
-    keep_text(folders[0] / "seeded.c", f"{HEADER}int seeded;\n")
+            write_whole(copy / path.name, with_defects(name, path.read_text()))
+    write_whole(folders[0] / "seeded.c", f"{HEADER}int seeded;\n")
     return load(stock(), folders)
 
 

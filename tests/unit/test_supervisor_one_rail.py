@@ -12,7 +12,7 @@ import supervised
 import unmeasured
 from supervised import CABLES, STOP, Cause, Drive, Machine, Phase, Power, State
 
-from turnbuckle.codegen.bind import keep_text
+from turnbuckle.model.files import write_whole
 from turnbuckle.model.reading import load_machine
 
 BASES = np.array([[0.3559, 0.0], [0.7118, 0.2309], [0.3559, 0.4618], [0.0, 0.2309]])
@@ -77,11 +77,11 @@ def library(drive: str) -> ctypes.CDLL:
     """Its supervisor, with a base drive that follows torques or positions."""
     folder = supervised.BUILD / f"one_rail_{drive}"
     text = one_rail((supervised.ROOT / "machines" / "yoon2023.toml").read_text())
-    keep_text(folder / "machine.toml", text)
+    write_whole(folder / "machine.toml", text)
     machine = load_machine(folder / "machine.toml")
     for path in unmeasured.compiled(machine, topics=unmeasured.STEP).folder.glob("*.[ch]"):
         changed = re.sub(r'(\{"base_1", \d, \d,) 0,', rf"\1 {FOLLOWS[drive]},", path.read_text())
-        keep_text(folder / path.name, changed)
+        write_whole(folder / path.name, changed)
     return supervised.compiled(folder)
 
 
