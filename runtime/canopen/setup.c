@@ -145,10 +145,11 @@ static tb_failure examine(const tb_setup *setup, const tb_object *object, uint32
     return (*detail == object->value) ? TB_FAILURE_NONE : TB_FAILURE_DIFFERENT;
 }
 
-/* A drive may show a new mode a little after it took it. */
-static bool may_change(const tb_setup *setup)
+/* A drive may show its new mode a little after it took the order; the order reads back at once. */
+static bool may_change(const tb_setup *setup, const tb_object *object)
 {
-    return (setup->task == TB_TASK_MODE) && (setup->waited <= (uint32_t)TB_STATE_TIMEOUT);
+    return (object->index == TB_OBJECT_MODE_DISPLAY) &&
+           (setup->waited <= (uint32_t)TB_STATE_TIMEOUT);
 }
 
 static void compare(tb_setup *setup, const tb_object *object)
@@ -158,7 +159,7 @@ static void compare(tb_setup *setup, const tb_object *object)
     if (failure == TB_FAILURE_NONE) {
         setup->entry++;
         begin_object(setup);
-    } else if (may_change(setup)) {
+    } else if (may_change(setup, object)) {
         read_object(setup, object);
     } else {
         fail_at(setup, object, failure, detail);

@@ -547,6 +547,20 @@ def test_a_mode_that_never_shows_is_different() -> None:
     assert bench.setup.mode == C.TB_MODE_NONE
 
 
+def test_an_ordered_mode_that_reads_back_otherwise_is_different_at_once() -> None:
+    bench, asked = Bench(BASE), 0
+
+    def reads_back(key: tuple[int, int], held: int) -> int:
+        nonlocal asked
+        asked += key == (0x6060, 0)
+        return 3 if key == (0x6060, 0) else held
+
+    bench.drive.read = reads_back
+    assert bench.run("MODE", "HOMING") == "FAILED"
+    assert bench.failure == ("DIFFERENT", 0x6060, 0, 3)
+    assert asked == 1
+
+
 def test_a_mode_may_show_until_its_time_is_over_to_the_cycle() -> None:
     bench, cycles = Bench(BASE), 0
     bench.drive.read = lambda key, held: 3 if key == (0x6061, 0) else held
