@@ -16,6 +16,8 @@ from turnbuckle.codegen.model import Model
 from turnbuckle.model.machine import Machine
 from turnbuckle.version import VERSION
 
+#: Those of tb_drives.c; the repr of a row leaves its comment out.
+TABLES = ("buses", "kinds", "objects", "drives", "node_frames")
 CASADI_VERSION: str = casadi.CasadiMeta.version()
 
 
@@ -38,7 +40,7 @@ def facts(model: Model) -> Iterator[str]:
     yield from (f"{constant.name} {constant.text}" for constant in every_constant(machine))
     if machine.buses:
         tables = drive_fields(machine)
-        yield from (repr(tables[name]) for name in ("buses", "drives", "node_frames"))
+        yield from (repr(tables[name]) for name in TABLES)
 
 
 def every_constant(machine: Machine) -> Iterator[Constant]:

@@ -129,14 +129,14 @@ def _watched(machine: Machine, axis: Axis) -> _Setpoints:
         ends = axis.increments(0.0), axis.increments(machine.rails[axis.rail].length)
         step = machine.supervision.rail_speed * period / abs(axis.metres_per_increment)
         return _Setpoints(axis, min(ends) - 1, max(ends) + 1, ceil(step) + 1, POSITION_SETPOINT)
-    limit = axis.permille_limit
+    limit = axis.most_torque_units
     lowest, highest = (-limit, limit) if axis.rail is not None else sorted((0, axis.sense * limit))
     rate = (
         machine.cable_motor.torque_rate_limit
         if axis.rail is None
         else machine.supervision.rail_torque_rate
     )
-    step = rate * period / abs(axis.torque_per_permille)
+    step = rate * period / abs(axis.torque_per_unit)
     return _Setpoints(axis, lowest, highest, ceil(step) + 1, TORQUE_SETPOINT)
 
 

@@ -186,7 +186,7 @@ STAGES = (
     (layout.cables_span, layout.bases_off_one_line),
     (bus.buses_first, bus.bit_rates, bus.sync_rates, bus.names_and_nodes, bus.drives_on_buses),
     (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given, bus.other_nodes),
-    (bus.rated_torques,),
+    (bus.words_of_kinds, bus.rated_torques),
     (bus.currents, bus.object_ranges, bus.heartbeats, bus.sweeps, bus.frames_of_other_nodes),
     (bus.schedulable,),
 )

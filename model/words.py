@@ -1,10 +1,12 @@
 """Words of a machine file that reach the generated C: names and the source line."""
 
 import re
+from collections.abc import Iterable
 from typing import Annotated
 
 from pydantic import AfterValidator, Field
 
+from turnbuckle.model.bus.drive_kinds import DRIVE_KINDS
 from turnbuckle.model.kind import KINDS
 from turnbuckle.model.problem import nearest, refusal
 
@@ -42,8 +44,16 @@ def _comment_line(text: str) -> str:
 
 
 def _known_kind(text: str) -> str:
-    if text not in KINDS:
-        raise refusal(f"the kinds {', '.join(KINDS)}{nearest(text, KINDS)}")
+    return _one_of(KINDS, text)
+
+
+def _known_drive_kind(text: str) -> str:
+    return _one_of(DRIVE_KINDS, text)
+
+
+def _one_of(kinds: Iterable[str], text: str) -> str:
+    if text not in kinds:
+        raise refusal(f"the kinds {', '.join(kinds)}{nearest(text, kinds)}")
     return text
 
 
@@ -59,4 +69,9 @@ CommentLine = Annotated[
 ]
 KindName = Annotated[
     str, AfterValidator(_known_kind), Field(json_schema_extra={"enum": sorted(KINDS)})
+]
+DriveKindName = Annotated[
+    str,
+    AfterValidator(_known_drive_kind),
+    Field(json_schema_extra={"enum": sorted(DRIVE_KINDS)}),
 ]

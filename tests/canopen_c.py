@@ -76,9 +76,9 @@ class Canopen:
         made.data[: len(frame.data)] = frame.data
         return made
 
-    def text(self, name: str, code: int) -> str:
+    def text(self, name: str, *arguments: Any) -> str:
         """What a function that names a code says."""
-        return ctypes.string_at(getattr(self, name)(code)).decode()
+        return ctypes.string_at(getattr(self, name)(*arguments)).decode()
 
 
 def read(frame: Any) -> Frame:

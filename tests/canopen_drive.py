@@ -56,18 +56,22 @@ def rows(library: Canopen) -> list[Row]:
             number,
             table.bus,
             table.node,
-            entries(library, table.identity, table.identity_count),
-            entries(library, table.contract, table.contract_count),
+            entries(library, table, table.identity, table.identity_count),
+            entries(library, table, table.contract, table.contract_count),
             table,
         )
         for number, table in enumerate(tables)
     ]
 
 
-def entries(library: Canopen, address: int, count: int) -> list[Entry]:
+def entries(library: Canopen, drive: Any, address: int, count: int) -> list[Entry]:
     """Objects of one of a drive's tables."""
     objects = (library.tb_object * count).from_address(address)
-    return [Entry(o.index, o.subindex, o.size, bool(o.action), o.value) for o in objects]
+    node = {library.TB_OBJECT_WRITE_OF_NODE: drive.node}
+    return [
+        Entry(o.index, o.subindex, o.size, bool(o.action), o.value + node.get(o.action, 0))
+        for o in objects
+    ]
 
 
 class Drive:

@@ -3,10 +3,12 @@
 Node numbers repeat from bus to bus, so each bus has a file of its own.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.bus.drive_kinds.kind import DriveKind
 from turnbuckle.model.bus.frames import (
     EMERGENCY,
     HEARTBEAT,
@@ -48,24 +50,21 @@ POWER_STATES = (
     (0x4F, 0x08, "fault"),
 )
 POWER_BITS = 7
+#: Error codes of CiA 301 and CiA 402.
 EMERGENCIES: Words = (
     (0x0000, "none"),
     (0x1000, "generic"),
     (0x2310, "overcurrent"),
-    (0x2320, "power_stage"),
     (0x3210, "overvoltage"),
     (0x3220, "undervoltage"),
     (0x4210, "too_hot"),
-    (0x4380, "motor_too_hot"),
     (0x7320, "position_sensor"),
     (0x8110, "frames_lost"),
     (0x8120, "error_passive"),
     (0x8130, "heartbeat_missed"),
     (0x8150, "identifier_twice"),
-    (0x81FD, "bus_off"),
     (0x8210, "pdo_length"),
     (0x8611, "following_error"),
-    (0x8A88, "safe_torque_off"),
 )
 
 
@@ -189,7 +188,7 @@ def _frames(machine: Machine, load: Load, drives: Sequence[Axis]) -> Iterator[Fr
     for axis in drives:
         name, node = axis.drive.name, axis.drive.node
         yield _heartbeat(name, node, MASTER, round(limits.drive_heartbeat * 1e3))
-        yield _emergency(name, node)
+        yield _emergency(axis)
         yield _command(axis, cycle)
         yield _answer(axis, cycle)
     for other in load.nodes:
@@ -212,14 +211,25 @@ def _heartbeat(name: str, node: int, receiver: str, cycle: int) -> Frame:
     return Frame(HEARTBEAT + node, f"{name}_heartbeat", 1, name, receiver, (state,), meaning, cycle)
 
 
-def _emergency(name: str, node: int) -> Frame:
+def _emergency(axis: Axis) -> Frame:
+    name, node = axis.drive.name, axis.drive.node
     signals = (
-        Signal("code", 0, 16, words=EMERGENCIES),
+        Signal("code", 0, 16, words=emergency_words(axis.kind)),
         Signal("error_register", 16, 8),
         Signal("detail", 24, 40),
     )
     meaning = f"Emergency of {name}"
     return Frame(EMERGENCY + node, f"{name}_emergency", 8, name, MASTER, signals, meaning)
+
+
+def emergency_words(kind: DriveKind) -> Words:
+    """The error codes that a drive of this kind tells."""
+    own = {
+        error.first: re.sub(r"\W+", "_", re.split("[:;(]", error.text)[0].strip().lower())
+        for error in kind.errors
+        if error.first == error.last
+    }
+    return tuple(sorted({**dict(EMERGENCIES), **own}.items()))
 
 
 def _command(axis: Axis, cycle: int) -> Frame:
@@ -273,6 +283,6 @@ def _quantities(axis: Axis, mapped: Sequence[Mapped]) -> Iterator[Signal]:
         if entry in POSITIONS:
             factor, unit = axis.metres_per_increment, "m"
         else:
-            factor, unit = axis.torque_per_permille, "N m"
+            factor, unit = axis.torque_per_unit, "N m"
         yield Signal(entry.name, start, entry.size, entry.signed, factor, unit)
         start += entry.size

@@ -1,26 +1,34 @@
 """tb_drives.h and tb_drives.c: what the runtime knows of the machine's buses and drives."""
 
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 from math import inf
 
-from turnbuckle.codegen.bus.contract import Object, contract, identity
 from turnbuckle.codegen.bus.process_data import process_data
 from turnbuckle.codegen.constants import Constant, real
 from turnbuckle.codegen.print_c import literal
 from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.bus.contract import Object, contract, identity
+from turnbuckle.model.bus.drive_kinds.kind import DriveError
 from turnbuckle.model.bus.plan import compute_phase, loads, timing
 from turnbuckle.model.machine import Machine
 
 MODES = {"torque": 0, "position": 1}
+#: By tb_mode: what a drive follows; nothing at first.
+MODES_OF_RUNTIME = ("none", "torque", "position", "homing")
 NO_FRAME = "{0x800, 0}"
 """An identifier has 11 bits."""
 
 
 def drive_fields(machine: Machine) -> dict[str, object]:
     """What the two templates ask for."""
+    identities, contracts = object_tables(machine)
     return {
         "groups": groups(machine),
         "buses": [bus_row(machine, number) for number in range(len(machine.buses))],
-        "drives": [drive_row(machine, axis) for axis in axes(machine)],
+        "kinds": kind_rows(machine),
+        "objects": [*identities, *contracts],
+        "drives": [drive_row(axis, identities, contracts) for axis in axes(machine)],
         "node_frames": node_frames(machine),
     }
 
@@ -169,22 +177,97 @@ def node_frames(machine: Machine) -> list[str]:
     return rows or [NO_FRAME]
 
 
-def drive_row(machine: Machine, axis: Axis) -> dict[str, object]:
-    """What a drive's tables are printed from."""
-    increment, permille = axis.metres_per_increment, axis.torque_per_permille
+@dataclass(frozen=True)
+class Row:
+    """A row of a table in C, and what it is about."""
+
+    text: str
+    meaning: str = field(default="", repr=False)
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A table in C, and the drives that share it."""
+
+    name: str
+    rows: tuple[Row, ...]
+    drives: tuple[str, ...] = field(repr=False)
+
+
+def drive_row(
+    axis: Axis, identities: Sequence[Rows], contracts: Sequence[Rows]
+) -> dict[str, object]:
+    """What a drive's table is printed from."""
+    increment, torque = axis.metres_per_increment, axis.torque_per_unit
     return {
         "name": axis.drive.name,
         "bus": axis.bus,
         "node": axis.drive.node,
         "mode": MODES[axis.drive.mode],
-        "scales": [literal(x) for x in (increment, 1 / increment, permille, 1 / permille)],
-        "permille_limit": axis.permille_limit,
-        "identity": [c_object(entry, "CHECK") for entry in identity(axis)],
-        "contract": [c_object(entry, "WRITE") for entry in contract(machine, axis)],
+        "scales": [literal(x) for x in (increment, 1 / increment, torque, 1 / torque)],
+        "most_torque_units": axis.most_torque_units,
+        "kind": axis.kind.name,
+        "identity": _shared_by(axis, identities),
+        "contract": _shared_by(axis, contracts),
     }
 
 
-def c_object(entry: Object, action: str) -> str:
+def _shared_by(axis: Axis, tables: Sequence[Rows]) -> Rows:
+    return next(table for table in tables if axis.drive.name in table.drives)
+
+
+def object_tables(machine: Machine) -> tuple[list[Rows], list[Rows]]:
+    """Identities and contracts, each once however many drives have the same."""
+    drives = axes(machine)
+    identities = [(axis, [c_object(e, axis, "CHECK") for e in identity(axis)]) for axis in drives]
+    contracts = [
+        (axis, [c_object(e, axis, "WRITE") for e in contract(machine, axis)]) for axis in drives
+    ]
+    return _once("identity", identities), _once("contract", contracts)
+
+
+def _once(name: str, tables: Iterable[tuple[Axis, list[Row]]]) -> list[Rows]:
+    sharing: dict[tuple[Row, ...], list[str]] = {}
+    for axis, rows in tables:
+        sharing.setdefault(tuple(rows), []).append(axis.drive.name)
+    return [
+        Rows(f"{name}_{number}", rows, tuple(drives))
+        for number, (rows, drives) in enumerate(sharing.items(), start=1)
+    ]
+
+
+def c_object(entry: Object, axis: Axis, action: str) -> Row:
     """A tb_object."""
     where = f"0x{entry.index:04X}, {entry.subindex}, {entry.size}"
-    return f"{{{where}, TB_OBJECT_{action}, 0x{entry.unsigned:X}U}}"
+    value = entry.unsigned - (axis.drive.node if entry.of_node else 0)
+    adds = "_OF_NODE" if entry.of_node else ""
+    return Row(f"{{{where}, TB_OBJECT_{action}{adds}, 0x{value:X}U}}", entry.meaning)
+
+
+def kind_rows(machine: Machine) -> list[dict[str, object]]:
+    """What the tables of the machine's kinds of drives are printed from."""
+    kinds = {axis.kind.name: axis.kind for axis in axes(machine)}
+    return [
+        {
+            "name": kind.name,
+            "heading": Row(kind.name, kind.meaning),
+            "modes": [f"0x{kind.modes.get(mode, 0) % 0x100:02X}" for mode in MODES_OF_RUNTIME],
+            "errors": [c_error(error) for error in kind.errors],
+            "aborts": [f"{{0x{code:08X}U, {c_text(text)}}}" for code, text in kind.aborts.items()],
+        }
+        for kind in kinds.values()
+    ]
+
+
+def c_error(error: DriveError) -> str:
+    """A tb_error_text."""
+    codes = f"0x{error.first:04X}, 0x{error.last:04X}"
+    return f"{{{codes}, TB_ERROR_{error.severity.name}, {c_text(error.text)}}}"
+
+
+def c_text(text: str) -> str:
+    """A string of C: printable ASCII, as a drive's maker words it."""
+    if not (text.isascii() and text.isprintable()) or any(x in text for x in ('"', "\\", "??")):
+        allowed = "printable ASCII without double quotes, backslash and ??"
+        raise ValueError(f"{text!r}: allowed: {allowed}")
+    return f'"{text}"'

@@ -23,7 +23,7 @@ class _Told:
         self.name, self.bus = axis.drive.name, axis.bus
         position = axis.drive.mode == "position"
         self.layout = POSITION_SETPOINT if position else TORQUE_SETPOINT
-        self.unit = axis.metres_per_increment if position else axis.torque_per_permille
+        self.unit = axis.metres_per_increment if position else axis.torque_per_unit
         self.value: int | None = None
         self.ordered: tuple[int, float] | None = None
         """Cycle and order that must have arrived by the next SYNC."""

@@ -3,10 +3,11 @@
 import math
 from dataclasses import dataclass
 
+from turnbuckle.model.bus.drive_kinds import DRIVE_KINDS
+from turnbuckle.model.bus.drive_kinds.kind import DriveKind
 from turnbuckle.model.bus.tables import Drive, Rating
 from turnbuckle.model.machine import Machine
 
-MILLE = 1000
 # A quotient of rounded numbers may miss a whole number by this much.
 ROUNDING = 1e-9
 
@@ -27,6 +28,16 @@ class Axis:
     rail: int | None = None
 
     @property
+    def kind(self) -> DriveKind:
+        """What is special to the drive."""
+        return DRIVE_KINDS[self.drive.kind]
+
+    @property
+    def table(self) -> str:
+        """The machine file's table of its motor."""
+        return "cable_motor" if self.rail is None else "rail_drive"
+
+    @property
     def sense(self) -> int:
         """+1 where the encoder counts up as the position grows, else -1."""
         return 1 if self.drive.direction == "forward" else -1
@@ -37,22 +48,18 @@ class Axis:
         return self.sense * 2 * math.pi * self.radius / self.rating.encoder_counts
 
     @property
-    def torque_per_permille(self) -> float:
+    def torque_per_unit(self) -> float:
         """Torque, > 0 pulling or towards the rail's end, a unit of 6071 and 6077 [N m]."""
-        return self.sense * self.rating.rated_torque / MILLE
+        return self.sense * self.kind.torque(self.rating)
 
     @property
-    def permille_limit(self) -> int:
+    def most_torque_units(self) -> int:
         """Most units of 6071 within the torque limit, either way."""
-        return math.floor(self.torque_limit / abs(self.torque_per_permille) + ROUNDING)
+        return math.floor(self.torque_limit / abs(self.torque_per_unit) + ROUNDING)
 
     def increments(self, position: float) -> int:
         """The encoder count nearest to a position [m]."""
         return round(position / self.metres_per_increment)
-
-    def turning_speed(self, speed: float) -> float:
-        """Speed of the motor [rpm] at a speed of cable or carriage [m/s]; also of accelerations."""
-        return speed / (2 * math.pi * self.radius) * 60
 
 
 def base_drive(rail: int) -> str:

@@ -1,17 +1,20 @@
 """What must hold between the tables of buses, drives and motors, and the rest of the machine."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from turnbuckle.model.bus.alternatives import alternatives, counted
 from turnbuckle.model.bus.axis import Axis, axes, base_drive, drive_names
+from turnbuckle.model.bus.contract import Object, Origin, contract, identity
+from turnbuckle.model.bus.drive_kinds.kind import Option
 from turnbuckle.model.bus.plan import BusPlan, Load, loads, plans, timing
 from turnbuckle.model.bus.tables import (
     BIT_RATES,
     ERROR_CONTROL,
     MASTER,
     MASTER_NODE,
+    RailHoming,
     Rating,
 )
 from turnbuckle.model.machine import Machine
@@ -24,7 +27,7 @@ WRITTEN = 1e-5
 MOST_DIVIDER = 255
 LONGEST_HEARTBEAT = 65.535
 MILLISECOND = 1e-3
-MOST_UNSIGNED, MOST_SIGNED = 0xFFFF_FFFF, 0x7FFF_FFFF
+MOST_SIGNED, MOST_TORQUE = 0x7FFF_FFFF, 0x7FFF
 # Identifiers that only the master sends: NMT, SYNC, TIME, its heartbeat.
 MASTERS = (0x000, 0x080, 0x100, ERROR_CONTROL + MASTER_NODE)
 
@@ -197,59 +200,91 @@ def _current(tables: Tables, table: str, rating: Rating, needed: float, why: str
     if rating.current_limit < needed * (1 - ROUNDING):
         allowed = f"at least {needed:.4g} A, which {table}.{why} takes"
         yield problem_at(tables, location, allowed)
-    if rating.encoder_counts % 4:
-        allowed = "a multiple of 4: an encoder has four counts a pulse"
-        yield problem_at(tables, (table, "rating", "encoder_counts"), allowed)
+
+
+def words_of_kinds(machine: Machine, tables: Tables) -> Found:
+    """What a drive is told to do, its kind can do."""
+    drives = axes(machine)
+    for axis in {axis.kind.name: axis for axis in reversed(drives)}.values():
+        for key in ("connection_loss", "quick_stop"):
+            option: Option = getattr(axis.kind, key)
+            if getattr(machine.supervision, key) not in option.codes:
+                allowed = f"{_quoted(option.codes)} for {axis.drive.name}, {axis.kind.meaning}"
+                yield _supervision(machine, tables, key, allowed)
+    for axis in drives:
+        i = machine.drives.index(axis.drive)
+        if axis.drive.mode not in axis.kind.modes:
+            allowed = f"{_quoted(axis.kind.modes.keys() - {'homing'})} for the {axis.kind.meaning}"
+            yield problem_at(tables, ("drive", i, "mode"), allowed)
+        if axis.rail is not None and axis.kind.homing is None:
+            found = f"{shown(axis.kind.name)}, which finds no stop"
+            yield Problem(key_path(("drive", i, "kind")), found, "a kind that can home a base")
 
 
 def rated_torques(machine: Machine, tables: Tables) -> Found:
-    """A drive knows its rated torque in whole uN m, as a number of 32 bits."""
-    motors = {"cable_motor": machine.cable_motor, "rail_drive": machine.rail_drive}
-    for table, motor in motors.items():
-        if machine.buses and motor and motor.rating:
-            rated = round(motor.rating.rated_torque * 1e6)
-            if not 1 <= rated <= MOST_UNSIGNED:
-                found = f"nominal_current times torque_constant of {rated} uN*m"
-                allowed = f"1 to {MOST_UNSIGNED} uN*m (6076)"
-                yield Problem(f"{table}.rating", found, allowed)
+    """A drive's units of torque are more than nothing, and known to it."""
+    yield from dict.fromkeys(
+        problem
+        for axis in axes(machine)
+        for problem in _unfit(tables, axis, list(identity(axis)))
+        if problem.key == f"{axis.table}.rating"
+    )
 
 
 def object_ranges(machine: Machine, tables: Tables) -> Found:
     """Numbers that a drive's objects must hold."""
-    for axis in axes(machine):
-        yield from _ratings_in_objects(axis)
+    yield from dict.fromkeys(
+        problem for axis in axes(machine) for problem in _unfit_numbers(machine, tables, axis)
+    )
     if machine.buses and machine.rail_drive and machine.rail_drive.homing:
-        yield from _homing_in_objects(machine, tables)
+        yield from _longest_rail(machine, machine.rail_drive.homing)
 
 
-def _ratings_in_objects(axis: Axis) -> Found:
-    table = "cable_motor" if axis.rail is None else "rail_drive"
-    if not 1 <= axis.permille_limit <= 0x7FFF:
-        found = f"a torque limit of {axis.permille_limit} per mille of the rated torque"
-        yield Problem(f"{table}.rating", found, "1 to 32767 per mille (6071)")
+def _unfit_numbers(machine: Machine, tables: Tables, axis: Axis) -> Found:
+    if not 1 <= axis.most_torque_units <= MOST_TORQUE:
+        found = f"a torque limit of {axis.most_torque_units} {axis.kind.torque_unit}"
+        yield Problem(f"{axis.table}.rating", found, f"1 to {MOST_TORQUE} (6071)")
+    yield from _unfit(tables, axis, [*identity(axis), *contract(machine, axis)])
 
 
-def _homing_in_objects(machine: Machine, tables: Tables) -> Found:
-    rail_drive = machine.rail_drive
-    assert rail_drive is not None and rail_drive.homing is not None
-    homing = rail_drive.homing
+def _unfit(tables: Tables, axis: Axis, objects: Sequence[Object]) -> Found:
+    """What an object of the drive cannot hold of the machine file's quantities."""
+    for entry in objects:
+        origin = entry.origin
+        if origin is None or (allowed := _bounds(axis, entry, origin)) is None:
+            continue
+        value: Any = tables
+        for part in origin.key:
+            value = value.get(part) if isinstance(value, dict) else None
+        if value is None or isinstance(value, dict):
+            found = f"{origin.quantity:.6g} {origin.symbol}, {entry.meaning}"
+            yield Problem(key_path(origin.key), found, allowed)
+        else:
+            yield problem_at(tables, origin.key, allowed)
+
+
+def _bounds(axis: Axis, entry: Object, origin: Origin) -> str | None:
+    """What an object can hold, where it cannot hold its value."""
+    (low, high), one = origin.place.bounds, origin.one
+    where = f"{origin.symbol}, in object {entry.index:04X} of the {axis.kind.meaning}"
+    if not low <= entry.value <= high:
+        end, word = (low, "least") if entry.value < low else (high, "most")
+        return f"at {word} {end * one:.6g} {where}"
+    if origin.place.whole and origin.quantity % one:
+        return f"a multiple of {one:g} {where}"
+    return None
+
+
+def _longest_rail(machine: Machine, homing: RailHoming) -> Found:
     base = next(axis for axis in axes(machine) if axis.rail is not None)
-    turn_a_minute = 1 / base.turning_speed(1.0)
-    for key, value in (("speed", homing.speed), ("acceleration", homing.acceleration)):
-        location, turning = ("rail_drive", "homing", key), round(base.turning_speed(value))
-        if turning < 1:
-            least = f"{turn_a_minute * 1e3:.3g} mm a second"
-            allowed = f"at least one turn of the motor a minute, {least}"
-            yield problem_at(tables, location, allowed)
-        if turning > MOST_UNSIGNED:
-            allowed = f"at most {MOST_UNSIGNED} turns of the motor a minute (6099, 609A)"
-            yield problem_at(tables, location, allowed)
     farthest = max(rail.length for rail in machine.rails) + homing.beyond
     if abs(base.increments(farthest)) > MOST_SIGNED:
         found = f"{base.increments(farthest)} counts of the encoder on the longest rail"
         yield Problem("rail_drive.rating.encoder_counts", found, f"at most {MOST_SIGNED} (6064)")
-    if homing.current > 65.535:
-        yield problem_at(tables, ("rail_drive", "homing", "current"), "at most 65.535 A (30B2)")
+
+
+def _quoted(words: Iterable[str]) -> str:
+    return " or ".join(f'"{word}"' for word in sorted(words))
 
 
 def heartbeats(machine: Machine, tables: Tables) -> Found:
@@ -259,23 +294,24 @@ def heartbeats(machine: Machine, tables: Tables) -> Found:
     for beat, timeout in pairs:
         if getattr(limits, timeout) < 2 * getattr(limits, beat) * (1 - ROUNDING):
             allowed = f"at least twice supervision.{beat} = {getattr(limits, beat) * 1e3:g} ms"
-            yield _time(machine, tables, timeout, allowed)
+            yield _supervision(machine, tables, timeout, allowed)
     for key in ("heartbeat_timeout", "drive_heartbeat"):
         time = getattr(limits, key)
         if not MILLISECOND * (1 - ROUNDING) <= time <= LONGEST_HEARTBEAT:
-            yield _time(machine, tables, key, "1 ms to 65.535 s")
+            yield _supervision(machine, tables, key, "1 ms to 65.535 s")
     if limits.heartbeat < cycle * (1 - ROUNDING):
         allowed = f"at least a control cycle, {cycle * 1e3:g} ms"
-        yield _time(machine, tables, "heartbeat", allowed)
+        yield _supervision(machine, tables, "heartbeat", allowed)
 
 
-def _time(machine: Machine, tables: Tables, key: str, allowed: str) -> Problem:
-    """A problem with a time that the file need not give."""
+def _supervision(machine: Machine, tables: Tables, key: str, allowed: str) -> Problem:
+    """A problem with a time or word that the file need not give."""
     location = ("supervision", key)
     if key in tables.get("supervision", ()):
         return problem_at(tables, location, allowed)
-    time = getattr(machine.supervision, key)
-    return Problem(key_path(location), f"{time * 1e3:g} ms, the default", allowed)
+    value = getattr(machine.supervision, key)
+    text = shown(value) if isinstance(value, str) else f"{value * 1e3:g} ms"
+    return Problem(key_path(location), f"{text}, the default", allowed)
 
 
 def sweeps(machine: Machine, tables: Tables) -> Found:

@@ -1,12 +1,14 @@
 """The tables of a machine file about buses, drives, their motors, and supervision; SI units.
 
-Drives are CiA 402 drives of the EPOS4 kind. Object numbers in the text are those of its dictionary.
+Object numbers in the text are those of CiA 301 and CiA 402; those of a kind of drive are in
+drive_kinds.
 """
 
 from typing import Annotated, Literal
 
 from pydantic import Field
 
+from turnbuckle.model.bus.drive_kinds import DEFAULT
 from turnbuckle.model.quantity import (
     Acceleration,
     BitRate,
@@ -22,7 +24,7 @@ from turnbuckle.model.quantity import (
     Whole,
 )
 from turnbuckle.model.table import Table
-from turnbuckle.model.words import Identifier
+from turnbuckle.model.words import DriveKindName, Identifier
 
 #: Bit rates of CiA 301 [bit/s].
 BIT_RATES = (10e3, 20e3, 50e3, 125e3, 250e3, 500e3, 800e3, 1e6)
@@ -58,6 +60,7 @@ class Drive(Table):
     name: Identifier = Field(description="a cable's drive, or base_1, base_2 ... of the rails")
     bus: Identifier = Field(description="name of the bus it is on")
     node: Node = Field(description=f"its number on the bus; the master is {MASTER_NODE}")
+    kind: DriveKindName = Field(DEFAULT, description="the kind of drive that it is")
     product: Unsigned32 | None = Field(
         None, description="product code (1018:2) that it must have; any without this key"
     )
@@ -110,17 +113,14 @@ class OtherNode(Table):
 
 
 class Rating(Table):
-    """A motor with its encoder; rated torque (6076) = nominal current x torque constant."""
+    """A motor with its encoder; its rated torque is nominal current x torque constant."""
 
-    nominal_current: Current = Field(description="3001:1, continuous current of the motor [A]")
-    current_limit: Current = Field(description="3001:2, most that the drive gives it [A]")
-    torque_constant: TorqueConstant = Field(description="3001:5 [N m/A]")
-    encoder_counts: Counts = Field(description="counts a turn, four times the pulses of 3010:1")
-
-    @property
-    def rated_torque(self) -> float:
-        """Torque that the drive calls 1000 per mille [N m]: 6076, in whole uN m."""
-        return round(self.nominal_current * self.torque_constant * 1e6) * 1e-6
+    nominal_current: Current = Field(description="continuous current of the motor [A]")
+    current_limit: Current = Field(description="most that the drive gives it [A]")
+    torque_constant: TorqueConstant = Field(description="torque a current makes [N m/A]")
+    encoder_counts: Counts = Field(
+        description="counts a turn, as the drive counts: of a quadrature encoder four a pulse"
+    )
 
 
 class RailHoming(Table):
@@ -133,8 +133,8 @@ class RailHoming(Table):
         0.0, description="how far beyond that end the carriage meets the stop [m]"
     )
     speed: Speed = Field(description="towards the stop (6099) [m/s]")
-    acceleration: Acceleration = Field(description="609A [m/s^2]")
-    current: Current = Field(description="current that tells the stop (30B2) [A]")
+    acceleration: Acceleration = Field(description="towards the stop (609A) [m/s^2]")
+    current: Current = Field(description="current that tells the stop [A]")
 
 
 class Calibration(Table):
@@ -165,7 +165,7 @@ class Supervision(Table):
     drive_timeout: Duration = Field(0.1, description="without one until a drive is silent [s]")
     connection_loss: Literal["disable", "quick_stop"] = Field(
         "disable",
-        description="without the master (6007) a drive does: disable (no torque) or quick_stop",
+        description="without the master a drive does: disable (no torque) or quick_stop",
     )
     quick_stop: Literal["off", "hold"] = Field(
         "off", description="where a drive's quick stop (605A) ends: off, or hold with torque"

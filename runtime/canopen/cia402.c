@@ -46,13 +46,6 @@ static const tb_homing homings[8] = {
     TB_HOMING_FAILED,  TB_HOMING_FAILED, TB_HOMING_FAILED,  TB_HOMING_FAILED,
 };
 
-static const uint8_t modes[] = {
-    [TB_MODE_NONE] = 0,
-    [TB_MODE_TORQUE] = 10,
-    [TB_MODE_POSITION] = 8,
-    [TB_MODE_HOMING] = 6,
-};
-
 tb_power tb_cia402_power(uint16_t statusword)
 {
     for (size_t i = 0; i < (sizeof patterns / sizeof patterns[0]); i++) {
@@ -95,9 +88,4 @@ uint16_t tb_cia402_controlword(tb_power power, tb_goal goal, bool home, uint16_t
     default:
         return DISABLE_VOLTAGE;
     }
-}
-
-uint8_t tb_cia402_mode(tb_mode mode)
-{
-    return modes[mode];
 }

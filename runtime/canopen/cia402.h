@@ -35,9 +35,6 @@ tb_homing tb_cia402_homing(uint16_t statusword);
  *  An unknown state is taken off the power: nobody can say what else would be safe. */
 uint16_t tb_cia402_controlword(tb_power power, tb_goal goal, bool home, uint16_t previous);
 
-/** Value of object 6060h for a mode. */
-uint8_t tb_cia402_mode(tb_mode mode);
-
 #ifdef __cplusplus
 }
 #endif

@@ -86,7 +86,7 @@ bool tb_drive_link_take(tb_drive_link *link, const tb_can_frame *frame, bool in_
     case TB_COB_TPDO1:
         return take_status(link, frame, in_time);
     case TB_COB_EMCY:
-        return tb_emcy_take(&link->emergency, frame);
+        return tb_emcy_take(&link->emergency, link->drive->kind, frame);
     case TB_COB_SDO_ANSWER:
         return tb_sdo_take(&link->setup.sdo, frame);
     case TB_COB_ERROR_CONTROL:
@@ -174,7 +174,7 @@ static tb_homing homing(const tb_drive_link *link)
 static void report_status(const tb_drive_link *link, uint8_t age, tb_drive_report *report)
 {
     report->position = position(link);
-    report->torque = (real_t)link->status.torque * link->drive->torque_per_permille;
+    report->torque = (real_t)link->status.torque * link->drive->torque_per_unit;
     report->statusword = link->status.statusword;
     report->error_code = link->emergency.code;
     report->error_class = link->emergency.error_class;
@@ -233,10 +233,10 @@ static bool follows(const tb_drive_link *link, const tb_drive_order *order, tb_m
     return (order->goal == TB_GOAL_ENABLED) && (link->setup.mode == mode);
 }
 
-static int16_t permille(const tb_drive_link *link, const tb_drive_order *order)
+static int16_t torque_units(const tb_drive_link *link, const tb_drive_order *order)
 {
-    real_t const wanted = order->torque * link->drive->permille_per_torque;
-    real_t const limit = (real_t)link->drive->permille_limit;
+    real_t const wanted = order->torque * link->drive->units_per_torque;
+    real_t const limit = (real_t)link->drive->most_torque_units;
     bool const pulls = follows(link, order, TB_MODE_TORQUE) && is_number(wanted);
     return pulls ? (int16_t)towards_zero(wanted, limit) : 0;
 }
@@ -261,7 +261,7 @@ bool tb_drive_link_setpoint(tb_drive_link *link, const tb_drive_order *order, tb
                                               link->controlword);
     *frame = (link->drive->mode == 1)
                  ? tb_pdo_position_frame(node, link->controlword, increments(link, order))
-                 : tb_pdo_torque_frame(node, link->controlword, permille(link, order));
+                 : tb_pdo_torque_frame(node, link->controlword, torque_units(link, order));
     return true;
 }
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "can.h"
-#include "drive.h"
+#include "tb_drives.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -18,13 +18,13 @@ typedef struct {
     uint8_t error_class; /* tb_error_class of code */
 } tb_emcy;
 
-/** Read an emergency message; code 0x0000 clears what stands. False: malformed, and ignored. */
-bool tb_emcy_take(tb_emcy *emergency, const tb_can_frame *frame);
+/** Read an emergency message of a drive of this kind; code 0x0000 clears what stands. False: malformed, and ignored. */
+bool tb_emcy_take(tb_emcy *emergency, const tb_drive_kind *kind, const tb_can_frame *frame);
 
-/** How severe an error code is. */
+/** How severe an error code of CiA 301 or CiA 402 is. */
 tb_error_class tb_emcy_class(uint16_t code);
 
-/** An error code in words; a code that no one has described is named after its group. */
+/** An error code of CiA 301 or CiA 402 in words; others are named after their group. */
 const char *tb_emcy_text(uint16_t code);
 
 #ifdef __cplusplus

@@ -4,11 +4,11 @@
 #include "little_endian.h"
 #include "tb_drives.h"
 
-tb_can_frame tb_pdo_torque_frame(uint8_t node, uint16_t controlword, int16_t permille)
+tb_can_frame tb_pdo_torque_frame(uint8_t node, uint16_t controlword, int16_t torque)
 {
     tb_can_frame frame = tb_cob_frame(TB_COB_RPDO1, node, TB_TORQUE_COMMAND_LENGTH);
     tb_put_u16(&frame.data[TB_TORQUE_COMMAND_CONTROLWORD], controlword);
-    tb_put_u16(&frame.data[TB_TORQUE_COMMAND_TORQUE], (uint16_t)permille);
+    tb_put_u16(&frame.data[TB_TORQUE_COMMAND_TORQUE], (uint16_t)torque);
     return frame;
 }
 

@@ -19,7 +19,7 @@ typedef struct {
     uint16_t statusword;
 } tb_pdo_status;
 
-tb_can_frame tb_pdo_torque_frame(uint8_t node, uint16_t controlword, int16_t permille);
+tb_can_frame tb_pdo_torque_frame(uint8_t node, uint16_t controlword, int16_t torque);
 
 tb_can_frame tb_pdo_position_frame(uint8_t node, uint16_t controlword, int32_t increments);
 

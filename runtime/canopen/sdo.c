@@ -401,7 +401,7 @@ typedef struct {
     const char *text;
 } tb_abort_text;
 
-/* CiA 301 table 22, then the EPOS4's own */
+/* CiA 301 table 22 */
 static const tb_abort_text abort_texts[] = {
     {TB_SDO_ABORT_TOGGLE, "toggle bit did not alternate"},
     {TB_SDO_ABORT_TIMEOUT, "transfer timed out"},
@@ -413,8 +413,6 @@ static const tb_abort_text abort_texts[] = {
     {0x06010000, "access not supported"},
     {0x06010001, "object can only be written"},
     {0x06010002, "object can only be read"},
-    {0x06010003, "subindex 0 must be 0 before the other entries are written"},
-    {0x06010004, "complete access not supported"},
     {0x06020000, "object does not exist"},
     {0x06040041, "object cannot be mapped to a PDO"},
     {0x06040042, "mapped objects are longer than a PDO"},
@@ -435,10 +433,7 @@ static const tb_abort_text abort_texts[] = {
     {0x08000021, "data cannot be stored: local control"},
     {0x08000022, "data cannot be stored in this state of the device"},
     {0x08000023, "no object dictionary"},
-    {0x08000024, "no data available"},
-    {0x0F00FFBE, "password wrong"},
-    {0x0F00FFBF, "command not legal"},
-    {0x0F00FFC0, "not allowed in this NMT state"}};
+    {0x08000024, "no data available"}};
 
 static const char unknown_abort[] = "unknown abort code";
 

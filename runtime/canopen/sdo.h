@@ -82,7 +82,7 @@ bool tb_sdo_take(tb_sdo_client *client, const tb_can_frame *frame);
 /** A cycle has passed. */
 void tb_sdo_tick(tb_sdo_client *client);
 
-/** An abort code in words. */
+/** An abort code of CiA 301 in words. */
 const char *tb_sdo_abort_text(uint32_t code);
 
 #ifdef __cplusplus

@@ -62,6 +62,12 @@ static uint16_t count_of(const tb_setup *setup)
     }
 }
 
+uint32_t tb_setup_value(const tb_drive_table *drive, const tb_object *object)
+{
+    bool const is_of_node = object->action == TB_OBJECT_WRITE_OF_NODE;
+    return object->value + (is_of_node ? drive->node : 0u);
+}
+
 static void read_object(tb_setup *setup, const tb_object *object)
 {
     setup->reads = 1;
@@ -71,7 +77,7 @@ static void read_object(tb_setup *setup, const tb_object *object)
 static void write_object(tb_setup *setup, const tb_object *object)
 {
     setup->reads = 0;
-    tb_put_u32(setup->value, object->value);
+    tb_put_u32(setup->value, tb_setup_value(setup->drive, object));
     tb_sdo_download(&setup->sdo, object->index, object->subindex, setup->value, object->size);
 }
 
@@ -98,10 +104,10 @@ static void begin_object(tb_setup *setup)
         return;
     }
     const tb_object *const object = &objects_of(setup)[setup->entry];
-    if (object->action == TB_OBJECT_WRITE) {
-        write_object(setup, object);
-    } else {
+    if (object->action == TB_OBJECT_CHECK) {
         read_object(setup, object);
+    } else {
+        write_object(setup, object);
     }
 }
 
@@ -134,6 +140,7 @@ static bool is_padded(const tb_setup *setup, const tb_object *object)
 /* How an object that was read differs from what it must hold, and in what. */
 static tb_failure examine(const tb_setup *setup, const tb_object *object, uint32_t *detail)
 {
+    uint32_t const wanted = tb_setup_value(setup->drive, object);
     uint32_t const count = setup->sdo.done;
     bool const is_whole = count >= object->size;
     bool const is_padding = is_whole && is_padded(setup, object);
@@ -142,7 +149,7 @@ static tb_failure examine(const tb_setup *setup, const tb_object *object, uint32
         return TB_FAILURE_SIZE;
     }
     *detail = value_of(setup, is_padding ? object->size : count);
-    return (*detail == object->value) ? TB_FAILURE_NONE : TB_FAILURE_DIFFERENT;
+    return (*detail == wanted) ? TB_FAILURE_NONE : TB_FAILURE_DIFFERENT;
 }
 
 /* A drive may show its new mode a little after it took the order; the order reads back at once. */
@@ -261,7 +268,7 @@ static void forget_service(tb_setup *setup)
 
 static void prepare_mode(tb_setup *setup)
 {
-    uint8_t const mode = tb_cia402_mode((tb_mode)setup->target_mode);
+    uint8_t const mode = setup->drive->kind->modes[setup->target_mode];
     tb_object const ordered = {TB_OBJECT_MODE, 0, 1, TB_OBJECT_WRITE, mode};
     tb_object const shown = {TB_OBJECT_MODE_DISPLAY, 0, 1, TB_OBJECT_CHECK, mode};
     setup->switching[0] = ordered;

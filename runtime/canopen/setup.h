@@ -50,6 +50,9 @@ typedef struct {
     uint8_t mode;           /* tb_mode, confirmed */
 } tb_setup;
 
+/** What an object of a drive must hold. */
+uint32_t tb_setup_value(const tb_drive_table *drive, const tb_object *object);
+
 /** A drive that nothing is known of. */
 void tb_setup_start(tb_setup *setup, const tb_drive_table *drive);
 

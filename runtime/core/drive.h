@@ -127,14 +127,6 @@ typedef struct {
     uint8_t home;    /* 1: run the homing; 0 stops it */
 } tb_drive_order;
 
-/** How severe an emergency of a drive is. */
-typedef enum {
-    TB_ERROR_NONE = 0,
-    TB_ERROR_WARNING,      /* goes on: for people to read */
-    TB_ERROR_FAULT,        /* its power stage is off or going off */
-    TB_ERROR_COMMUNICATION /* as FAULT; cleared only by a reset of its communication */
-} tb_error_class;
-
 /** A stranger that says what only a master says: this, and its function code (CiA 301, table 33). */
 #define TB_STRANGER_MASTER ((uint8_t)0x80)
 

@@ -36,6 +36,12 @@ static const tb_object *objects_of(const tb_setup *setup, size_t *count)
     return checks ? setup->drive->identity : setup->drive->contract;
 }
 
+static uint32_t value_of(const tb_setup *setup, const tb_object *object)
+{
+    return object->value +
+           ((object->action == TB_OBJECT_WRITE_OF_NODE) ? setup->drive->node : 0u);
+}
+
 /* A drive that holds what it must: the answer to what is asked now. */
 static void answer_rightly(const tb_bench *bench, uint8_t data[8])
 {
@@ -47,7 +53,7 @@ static void answer_rightly(const tb_bench *bench, uint8_t data[8])
     tb_put_u16(&data[1], object->index);
     data[3] = object->subindex;
     if (bench->setup.reads != 0) {
-        tb_put_u32(&data[4], object->value);
+        tb_put_u32(&data[4], value_of(&bench->setup, object));
     }
 }
 
@@ -62,11 +68,12 @@ static void check_passed(const tb_bench *bench, const tb_object *object)
 {
     bool const is_told = (bench->command & 1u) != 0;
     uint32_t const count = is_told ? (4u - ((bench->command >> 2) & 3u)) : object->size;
-    uint32_t const sign = object->value >> ((8u * object->size) - 1u);
+    uint32_t const value = value_of(&bench->setup, object);
+    uint32_t const sign = value >> ((8u * object->size) - 1u);
     uint32_t const carried = (sign != 0) ? ~lowest_bytes(~0u, object->size) : 0;
     uint32_t const held = lowest_bytes(tb_get_u32(bench->held), count);
-    bool const is_value = held == object->value;
-    bool const is_carried = held == lowest_bytes(object->value | carried, count);
+    bool const is_value = held == value;
+    bool const is_carried = held == lowest_bytes(value | carried, count);
     require(((bench->command & 0xE2u) != 0x42u) ||
             ((count >= object->size) && (is_value || is_carried)));
 }
@@ -76,7 +83,7 @@ static void check_failure(const tb_setup *setup)
     size_t count;
     const tb_object *const objects = objects_of(setup, &count);
     bool const different = setup->failure == TB_FAILURE_DIFFERENT;
-    require(!different || (setup->detail != objects[setup->entry].value));
+    require(!different || (setup->detail != value_of(setup, &objects[setup->entry])));
     require((setup->failure != TB_FAILURE_SIZE) || (setup->detail != objects[setup->entry].size));
     require(setup->failure <= TB_FAILURE_RESTARTED);
 }

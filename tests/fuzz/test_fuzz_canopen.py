@@ -18,10 +18,12 @@ def target(name: str, *sources: str) -> Target:
 
 TARGETS = {
     "sdo": target("sdo", "sdo"),
-    "pdo": target("pdo", "pdo", "cia402", "nmt", "drive_link", "setup", "sdo", "emcy"),
+    "pdo": target(
+        "pdo", "pdo", "cia402", "nmt", "drive_link", "setup", "sdo", "emcy", "drive_kind"
+    ),
     "setup": target("setup", "setup", "sdo", "nmt", "cia402"),
     "echo": target("echo", "echo"),
-    "emcy": target("emcy", "emcy"),
+    "emcy": target("emcy", "emcy", "drive_kind", "sdo"),
 }
 
 DEFECTS = {
@@ -83,8 +85,8 @@ DEFECTS = {
     "setup: anything beyond an object is padding": (
         "setup",
         "setup",
-        "return (*detail == object->value)",
-        "return ((*detail & 0xFFu) == (object->value & 0xFFu))",
+        "return (*detail == wanted)",
+        "return ((*detail & 0xFFu) == (wanted & 0xFFu))",
     ),
     "setup: requests repeated without end": (
         "setup",

@@ -13,11 +13,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from turnbuckle.codegen.bus.contract import Object, contract, identity
 from turnbuckle.codegen.bus.dbc import dbc_files
 from turnbuckle.codegen.bus.drives import drive_fields
 from turnbuckle.codegen.constants import Constant, constants
 from turnbuckle.model.bus.axis import axes
+from turnbuckle.model.bus.contract import Object, contract, identity
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.problem import MachineError, key_path
 from turnbuckle.model.reading import load_machine, machine_from

@@ -160,8 +160,3 @@ def test_homing_bits_mean_what_python_canopen_says() -> None:
         found = [n for n, (mask, value) in Homing.STATES.items() if statusword & mask == value]
         wanted = names[found[0]] if found else "FAILED"
         assert C.tb_cia402_homing(statusword) == getattr(C, f"TB_HOMING_{wanted}")
-
-
-def test_modes_have_the_numbers_of_the_profile() -> None:
-    numbers = {"NONE": 0, "TORQUE": 10, "POSITION": 8, "HOMING": 6}
-    assert {name: C.tb_cia402_mode(getattr(C, f"TB_MODE_{name}")) for name in numbers} == numbers

@@ -78,14 +78,14 @@ def test_an_answer_decodes_to_metres_and_newton_metres(
     seen = message(f"{name}_answer").decode(frame, decode_choices=False)
     assert isinstance(seen, dict)
     assert seen["position"] == pytest.approx(position * axis.metres_per_increment, rel=1e-12)
-    assert seen["torque"] == pytest.approx(torque * axis.torque_per_permille, rel=1e-12)
+    assert seen["torque"] == pytest.approx(torque * axis.torque_per_unit, rel=1e-12)
     assert (seen["power"], seen["warning"]) == (word & 0x7F, word >> 7 & 1)
     assert (seen["remote"], seen["referenced"]) == (word >> 9 & 1, word >> 15)
 
 
 @given(permille=INT16)
 def test_a_command_encodes_to_the_per_mille_of_the_wire(permille: int) -> None:
-    torque = permille * AXES["cable_2"].torque_per_permille
+    torque = permille * AXES["cable_2"].torque_per_unit
     frame = message("cable_2_command").encode(
         {
             "command": "enable_operation",

@@ -11,18 +11,18 @@ from typing import Any
 import jinja2
 import pytest
 
-from turnbuckle.codegen.bus.contract import Object, contract, identity
 from turnbuckle.codegen.bus.drives import drive_fields, node_frames
 from turnbuckle.codegen.compile import compile_library
 from turnbuckle.codegen.generate import TEMPLATES
 from turnbuckle.model.bus.axis import Axis, axes
+from turnbuckle.model.bus.contract import Object, contract, identity
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reading import load_machine, machine_from
 
 ROOT = Path(__file__).parents[2]
 STOCK = ROOT / "machines" / "yoon2023.toml"
 TABLES = tomllib.loads(STOCK.read_text())
-CHECK, WRITE = 0, 1
+CHECK, WRITE, WRITE_OF_NODE = 0, 1, 2
 CABLE, BASE = 1, 5
 Edit = Callable[[dict[str, Any]], object]
 
@@ -45,6 +45,16 @@ class TbBus(ctypes.Structure):
     )
 
 
+class TbKind(ctypes.Structure):
+    _fields_ = (
+        ("errors", ctypes.c_void_p),
+        ("aborts", ctypes.c_void_p),
+        ("error_count", ctypes.c_uint16),
+        ("abort_count", ctypes.c_uint16),
+        ("modes", ctypes.c_uint8 * 4),
+    )
+
+
 class TbDrive(ctypes.Structure):
     _fields_ = (
         ("name", ctypes.c_char_p),
@@ -53,13 +63,14 @@ class TbDrive(ctypes.Structure):
         ("mode", ctypes.c_uint8),
         ("metres_per_increment", ctypes.c_double),
         ("increments_per_metre", ctypes.c_double),
-        ("torque_per_permille", ctypes.c_double),
-        ("permille_per_torque", ctypes.c_double),
-        ("permille_limit", ctypes.c_int16),
+        ("torque_per_unit", ctypes.c_double),
+        ("units_per_torque", ctypes.c_double),
+        ("most_torque_units", ctypes.c_int16),
         ("identity_count", ctypes.c_uint16),
         ("contract_count", ctypes.c_uint16),
         ("identity", ctypes.POINTER(TbObject)),
         ("contract", ctypes.POINTER(TbObject)),
+        ("kind", ctypes.POINTER(TbKind)),
     )
 
 
@@ -145,9 +156,9 @@ def test_scales_are_those_of_radius_encoder_and_rated_torque(
 ) -> None:
     row = drives[number]
     assert row.metres_per_increment == pytest.approx(2 * math.pi * radius / 4096)
-    assert row.torque_per_permille == pytest.approx(rated / 1000)
+    assert row.torque_per_unit == pytest.approx(rated / 1000)
     assert row.metres_per_increment * row.increments_per_metre == pytest.approx(1)
-    assert row.torque_per_permille * row.permille_per_torque == pytest.approx(1)
+    assert row.torque_per_unit * row.units_per_torque == pytest.approx(1)
 
 
 @pytest.mark.parametrize(("number", "limit"), [(CABLE, 0.055), (BASE, 0.9)])
@@ -155,25 +166,50 @@ def test_the_limit_in_per_mille_is_the_largest_within_the_torque_limit(
     drives: list[TbDrive], number: int, limit: float
 ) -> None:
     row = drives[number]
-    assert row.permille_limit * row.torque_per_permille <= limit * (1 + 1e-9)
-    assert (row.permille_limit + 1) * row.torque_per_permille > limit
+    assert row.most_torque_units * row.torque_per_unit <= limit * (1 + 1e-9)
+    assert (row.most_torque_units + 1) * row.torque_per_unit > limit
 
 
 def test_every_object_is_compiled_as_it_was_meant(machine: Machine, drives: list[TbDrive]) -> None:
     for axis, row in zip(axes(machine), drives, strict=True):
-        for action, entries, compiled in (
-            (CHECK, identity(axis), row.identity[: row.identity_count]),
-            (WRITE, contract(machine, axis), row.contract[: row.contract_count]),
+        for actions, entries, compiled in (
+            ({CHECK: 0}, identity(axis), row.identity[: row.identity_count]),
+            (
+                {WRITE: 0, WRITE_OF_NODE: row.node},
+                contract(machine, axis),
+                row.contract[: row.contract_count],
+            ),
         ):
-            wanted = [(e.index, e.subindex, e.size, action, e.unsigned) for e in entries]
-            assert [(c.index, c.subindex, c.size, c.action, c.value) for c in compiled] == wanted
+            wanted = [(e.index, e.subindex, e.size, e.unsigned) for e in entries]
+            held = [(c.index, c.subindex, c.size, c.value + actions[c.action]) for c in compiled]
+            assert held == wanted
+
+
+def sharing(machine: Machine) -> list[int]:
+    """How many drives have each table of objects."""
+    objects: Any = drive_fields(machine)["objects"]
+    return [len(table.drives) for table in objects]
+
+
+def test_drives_that_differ_in_their_number_alone_share_their_tables() -> None:
+    assert sharing(edited()) == [4, 4, 4, 4]
+    assert sharing(edited(drive(1, revision=7), drive(4, mode="position"))) == [3, 1, 4, 4, 1, 3]
+
+
+def test_every_row_says_what_it_is_about() -> None:
+    fields: Any = drive_fields(edited())
+    assert all(row.meaning for table in fields["objects"] for row in table.rows)
+
+
+def test_modes_are_those_of_the_profile(drives: list[TbDrive]) -> None:
+    assert {tuple(row.kind.contents.modes) for row in drives} == {(0, 10, 8, 6)}
 
 
 def test_a_reversed_drive_counts_and_turns_the_other_way() -> None:
     forward, reverse = (axes(edited(drive(0, direction=way)))[0] for way in ("forward", "reverse"))
     assert reverse.metres_per_increment == -forward.metres_per_increment
-    assert reverse.torque_per_permille == -forward.torque_per_permille
-    assert reverse.permille_limit == forward.permille_limit > 0
+    assert reverse.torque_per_unit == -forward.torque_per_unit
+    assert reverse.most_torque_units == forward.most_torque_units > 0
 
 
 # ---- Contract ----

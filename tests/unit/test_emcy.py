@@ -1,7 +1,7 @@
-"""Emergencies: class and words of every error code of an EPOS4; what stands, and what clears it."""
+"""Emergencies of an EPOS4: class and words of every error code; what stands, and what clears it."""
 
 import struct
-from ctypes import byref
+from ctypes import byref, c_void_p
 
 import pytest
 from canopen_c import Frame, canopen_c
@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 C = canopen_c()
+EPOS4 = c_void_p(C.variable("tb_drives")[0].kind)
 
 FAULTS = [
     0x1000,
@@ -61,18 +62,18 @@ def standing(*codes: int) -> tuple[int, int]:
     """Code and class that stand after some messages."""
     emergency = C.new("tb_emcy")
     for code in codes:
-        assert C.tb_emcy_take(byref(emergency), byref(C.frame(message(code))))
+        assert C.tb_emcy_take(byref(emergency), EPOS4, byref(C.frame(message(code))))
     return emergency.code, emergency.error_class
 
 
 @pytest.mark.parametrize("code", CLASSES, ids=hex)
 def test_every_known_code_has_its_class(code: int) -> None:
-    assert C.tb_emcy_class(code) == class_of(CLASSES[code])
+    assert C.tb_drive_kind_error_class(EPOS4, code) == class_of(CLASSES[code])
 
 
 @pytest.mark.parametrize("code", [code for code in CLASSES if code != 0x1000], ids=hex)
 def test_every_known_code_has_words_of_its_own(code: int) -> None:
-    assert C.text("tb_emcy_text", code) not in GROUPS
+    assert C.text("tb_drive_kind_error_text", EPOS4, code) not in GROUPS
 
 
 def group_of(code: int) -> str:
@@ -88,22 +89,28 @@ def group_of(code: int) -> str:
 def test_every_other_code_is_named_after_its_group() -> None:
     known = {*CLASSES, 0x8140}  # recovered from bus-off: nothing that stands
     others = [code for code in range(0x10000) if code not in known]
-    wrong = [hex(code) for code in others if C.text("tb_emcy_text", code) != group_of(code)]
+    wrong = [
+        hex(code)
+        for code in others
+        if C.text("tb_drive_kind_error_text", EPOS4, code) != group_of(code)
+    ]
     assert wrong == []
 
 
 def test_a_code_nobody_described_is_a_fault_and_named_after_its_group() -> None:
-    assert C.text("tb_emcy_text", 0x2345) == "current error"
-    assert C.text("tb_emcy_text", 0x81AB) == "communication error"
-    assert C.text("tb_emcy_text", 0xFFAB) == "error of the device"
-    assert C.text("tb_emcy_text", 0xA000) == "unknown error"
-    assert {C.tb_emcy_class(code) for code in (0x2345, 0xA000, 0xFFAB)} == {class_of("FAULT")}
+    assert C.text("tb_drive_kind_error_text", EPOS4, 0x2345) == "current error"
+    assert C.text("tb_drive_kind_error_text", EPOS4, 0x81AB) == "communication error"
+    assert C.text("tb_drive_kind_error_text", EPOS4, 0xFFAB) == "error of the device"
+    assert C.text("tb_drive_kind_error_text", EPOS4, 0xA000) == "unknown error"
+    assert {C.tb_drive_kind_error_class(EPOS4, code) for code in (0x2345, 0xA000, 0xFFAB)} == {
+        class_of("FAULT")
+    }
 
 
 @given(st.integers(0, 0xFFFF))
 def test_every_code_has_words_and_a_class(code: int) -> None:
-    assert C.text("tb_emcy_text", code)
-    assert (C.tb_emcy_class(code) == class_of("NONE")) == (code == 0)
+    assert C.text("tb_drive_kind_error_text", EPOS4, code)
+    assert (C.tb_drive_kind_error_class(EPOS4, code) == class_of("NONE")) == (code == 0)
 
 
 def test_the_first_of_the_worst_class_stands() -> None:
@@ -122,5 +129,5 @@ def test_the_all_clear_clears_what_stands() -> None:
 def test_a_message_of_another_length_is_malformed_and_changes_nothing(length: int) -> None:
     emergency = C.new("tb_emcy")
     frame = Frame(0x081, message(0x2310).data[:length])
-    assert not C.tb_emcy_take(byref(emergency), byref(C.frame(frame)))
+    assert not C.tb_emcy_take(byref(emergency), EPOS4, byref(C.frame(frame)))
     assert emergency.code == 0

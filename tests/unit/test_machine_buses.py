@@ -155,7 +155,7 @@ REFUSALS: list[tuple[Edit, str, str, str]] = [
         within("cable_motor", "rating", nominal_current="1 mA"),
         "cable_motor.rating",
         "a torque limit of 1964285 per mille",
-        "1 to 32767 per mille",
+        "1 to 32767 (6071)",
     ),
     (
         within("rail_drive", "homing", current="10 A"),
@@ -167,7 +167,22 @@ REFUSALS: list[tuple[Edit, str, str, str]] = [
         within("rail_drive", "homing", speed="0.1 mm/s"),
         "rail_drive.homing.speed",
         '"0.1 mm/s"',
-        "at least one turn of the motor a minute",
+        "at least 0.0015708 m/s, in object 6099 of the maxon EPOS4",
+    ),
+    (
+        lambda tables: (
+            within("rail_drive", "homing", current="70 A")(tables),
+            within("rail_drive", "rating", current_limit="70 A")(tables),
+        ),
+        "rail_drive.homing.current",
+        '"70 A"',
+        "at most 65.535 A, in object 30B2 of the maxon EPOS4",
+    ),
+    (
+        lambda tables: tables["drive"][1].update(kind="epos5"),
+        "drive[2].kind",
+        '"epos5"',
+        "the kinds epos4; did you mean epos4?",
     ),
     (
         within("supervision", heartbeat="30 ms"),

@@ -3,6 +3,7 @@
 import re
 import tomllib
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,11 +11,12 @@ import pytest
 import tomlkit
 
 from turnbuckle.codegen import identity
-from turnbuckle.codegen.bus import contract
 from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.identity import facts, machine_hash
 from turnbuckle.codegen.model import Model
-from turnbuckle.model.bus import frames
+from turnbuckle.model.bus import contract, frames
+from turnbuckle.model.bus.drive_kinds import DRIVE_KINDS, epos4
+from turnbuckle.model.bus.drive_kinds.kind import Setting, Severity, Simulated
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reading import load_machine
 from turnbuckle.model.refusal import Refusal
@@ -112,12 +114,44 @@ def test_another_contract_of_the_same_machine_is_another_hash(
     machine = without_functions(load_machine(STOCK))
     before = machine_hash(machine)
     with monkeypatch.context() as patch:
-        patch.setitem(contract.ON_CONNECTION_LOSS, "disable", 3)
+        patch.setitem(epos4.KIND.connection_loss.codes, "disable", 3)
         assert machine_hash(machine) != before
     swapped = frames.POSITION, frames.STATUSWORD, frames.TORQUE
     with monkeypatch.context() as patch:
         patch.setattr(contract, "tpdo_map", lambda drive: swapped)
         assert machine_hash(machine) != before
+    assert machine_hash(machine) == before
+
+
+CHANGES = {
+    "its vendor": {"vendor": 0xFC},
+    "its modes": {"modes": {**epos4.KIND.modes, "torque": 4}},
+    "its unit of torque": {"torque": lambda motor: 1e-3},
+    "its number of PDOs": {"pdos": 8},
+    "a text of an error": {"errors": (replace(epos4.ERRORS[0], text="another"), *epos4.ERRORS[1:])},
+    "how bad an error is": {
+        "errors": tuple(replace(error, severity=Severity.WARNING) for error in epos4.ERRORS)
+    },
+    "a text of an abort": {"aborts": {**epos4.ABORTS, 0x0F00FFBE: "another"}},
+    "an object more": {"settings": (Setting(0x2002, 0, 1, 1, "more"),)},
+    "an object less": {"lacks": frozenset({0x1029})},
+}
+
+
+@pytest.mark.parametrize("changes", CHANGES.values(), ids=CHANGES.keys())
+def test_another_drive_of_the_same_name_is_another_hash(
+    changes: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    machine = without_functions(load_machine(STOCK))
+    before = machine_hash(machine)
+    monkeypatch.setitem(DRIVE_KINDS, "epos4", replace(epos4.KIND, **changes))
+    assert machine_hash(machine) != before
+
+
+def test_what_the_simulated_drive_does_leaves_the_hash(monkeypatch: pytest.MonkeyPatch) -> None:
+    machine = without_functions(load_machine(STOCK))
+    before = machine_hash(machine)
+    monkeypatch.setitem(DRIVE_KINDS, "epos4", replace(epos4.KIND, simulated=Simulated()))
     assert machine_hash(machine) == before
 
 

@@ -9,11 +9,11 @@ import pytest
 from canopen_c import RUNTIME, Canopen, Frame, read
 
 from turnbuckle.codegen.bus import process_data
-from turnbuckle.codegen.bus.contract import contract
 from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.model import Model
 from turnbuckle.model.bus import frames
 from turnbuckle.model.bus.axis import axes
+from turnbuckle.model.bus.contract import contract
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reading import load_machine
 from turnbuckle.places import MACHINES

@@ -13,11 +13,12 @@ from canopen_c import MACHINE, RUNTIME, Canopen
 from turnbuckle.model.words import LONGEST_IDENTIFIER
 
 LINUX = RUNTIME / "port" / "linux"
-CODES = [RUNTIME / "canopen" / f"{name}.c" for name in ("emcy", "sdo")]
+CODES = [RUNTIME / "canopen" / f"{name}.c" for name in ("emcy", "sdo", "drive_kind")]
 SOURCES = [
     RUNTIME / "core" / "words.c",
     RUNTIME / "canopen" / "cia402.c",
     *CODES,
+    *(RUNTIME / "canopen" / f"{name}.c" for name in ("setup", "nmt")),
     LINUX / "sentence.c",
 ]
 C = Canopen([MACHINE / "tb_drives.c", *SOURCES], folders=[LINUX])
@@ -114,7 +115,10 @@ def test_a_stranger_is_told_where_it_could_be_named() -> None:
 def all_sentences(library: Canopen, room: int) -> list[str]:
     """What is said of every cause, with all that can be known of it, in so many bytes."""
     orders, text = library.new("tb_orders"), ctypes.create_string_buffer(room)
-    codes = re.findall(r"0x[0-9A-F]{8}|0x[0-9A-F]{4}", "".join(map(Path.read_text, CODES)))
+    codes = re.findall(
+        r"0x[0-9A-F]{8}|0x[0-9A-F]{4}",
+        "".join(map(Path.read_text, [*CODES, MACHINE / "tb_drives.c"])),
+    )
     details = [1, 0xFFFFFFFF, C.TB_CALIBRATION_OPEN, *(int(code, 16) for code in codes)]
     causes, failures = (library.constants(f"TB_{kind}_").values() for kind in ("CAUSE", "FAILURE"))
     found = []

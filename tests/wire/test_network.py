@@ -166,7 +166,7 @@ def test_positions_and_torques_are_reported_in_si_units(position: int, torque: i
     bench.cycle(2)
     for row, report in zip(bench.rows, bench.seen.drives, strict=True):
         assert report.position == position * row.table.metres_per_increment
-        assert report.torque == torque * row.table.torque_per_permille
+        assert report.torque == torque * row.table.torque_per_unit
 
 
 def test_a_drive_on_a_slower_bus_is_fresh_in_the_cycles_of_its_sync(running: Bench) -> None:
@@ -400,11 +400,11 @@ def assert_rounded(bench: Bench, drive: int, torque: float) -> None:
     bench.order(torque=torque, goal=C.TB_GOAL_ENABLED)
     bench.cycle(2)
     _, sent = bench.drives[drive].setpoints[-1]
-    wanted = torque * table.permille_per_torque
+    wanted = torque * table.units_per_torque
     if math.isnan(torque):
         assert sent == 0
-    elif abs(wanted) >= table.permille_limit:
-        assert sent == math.copysign(table.permille_limit, torque)
+    elif abs(wanted) >= table.most_torque_units:
+        assert sent == math.copysign(table.most_torque_units, torque)
     else:
         assert sent == math.trunc(wanted)
 
@@ -436,7 +436,7 @@ def test_a_position_drive_is_asked_for_its_position_and_holds_where_it_is_else(
     link, drive = running.network.links[CABLE], running.drives[CABLE]
     table = C.new("tb_drive_table")
     table.node, table.mode, table.metres_per_increment = 1, 1, 0.5
-    table.increments_per_metre, table.torque_per_permille = 2.0, 1.0
+    table.increments_per_metre, table.torque_per_unit = 2.0, 1.0
     link.drive = addressof(table)
     drive.position = 4321
     asked = []
@@ -735,7 +735,7 @@ def test_a_position_is_asked_for_in_the_drives_own_counts(running: Bench, start:
     link, drive = running.network.links[CABLE], running.drives[CABLE]
     table = C.new("tb_drive_table")
     table.node, table.mode, table.metres_per_increment = 1, 1, 0.5
-    table.increments_per_metre, table.torque_per_permille = 2.0, 1.0
+    table.increments_per_metre, table.torque_per_unit = 2.0, 1.0
     link.drive, link.has_origin = addressof(table), 0
     drive.position = wrapped(start)
     running.cycle(2)
@@ -859,7 +859,7 @@ def test_no_frames_whatever_get_a_torque_beyond_the_orders_on_the_wire(
     bench = Bench()
     bench.enable()
     bench.order(goal=C.TB_GOAL_ENABLED, torque=0.01)
-    limits = [math.trunc(0.01 * row.table.permille_per_torque) for row in bench.rows]
+    limits = [math.trunc(0.01 * row.table.units_per_torque) for row in bench.rows]
     for bus, identifier, data in frames:
         bench.give(bus, Frame(identifier, data))
     bench.cycle(4)

@@ -2,7 +2,7 @@
 
 import struct
 from collections.abc import Iterator
-from ctypes import byref, c_uint8
+from ctypes import byref, c_uint8, c_void_p
 from typing import Any
 
 import canopen
@@ -449,15 +449,17 @@ def test_a_transfer_that_was_not_begun_owes_no_answer(server: Server) -> None:
 
 # ---- Words ----
 
+EPOS4 = c_void_p(C.variable("tb_drives")[0].kind)
 OF_EPOS4 = (0x06010003, 0x06010004, 0x0F00FFBE, 0x0F00FFBF, 0x0F00FFC0)
 ABORT_CODES = [*canopen.SdoAbortedError.CODES, *OF_EPOS4]
 
 
 def test_every_abort_code_has_words_of_its_own() -> None:
-    words = [C.text("tb_sdo_abort_text", code) for code in ABORT_CODES]
+    words = [C.text("tb_drive_kind_abort_text", EPOS4, code) for code in ABORT_CODES]
     assert len(set(words)) == len(ABORT_CODES)
     assert "unknown abort code" not in words
 
 
 def test_a_code_nobody_described_is_unknown() -> None:
-    assert C.text("tb_sdo_abort_text", 0x12345678) == "unknown abort code"
+    assert C.text("tb_drive_kind_abort_text", EPOS4, 0x12345678) == "unknown abort code"
+    assert {C.text("tb_sdo_abort_text", code) for code in OF_EPOS4} == {"unknown abort code"}

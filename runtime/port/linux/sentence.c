@@ -6,8 +6,8 @@
 
 #include "cia402.h"
 #include "cob.h"
-#include "emcy.h"
-#include "sdo.h"
+#include "drive_kind.h"
+#include "setup.h"
 #include "words.h"
 
 const char *tb_sentence_of_state(const tb_orders *orders)
@@ -33,15 +33,22 @@ static void tell_culprit(const tb_orders *orders, const char *kind, size_t room,
     }
 }
 
+/* The kind of the drive that is to blame; of another number the first one's. */
+static const tb_drive_kind *kind_of(const tb_orders *orders)
+{
+    return tb_drives[(orders->culprit < TB_DRIVES) ? orders->culprit : 0].kind;
+}
+
 /* What the machine file wants of an object. Some are written more than once: the first that it does
  * not hold. */
-static const tb_object *find_object(const tb_object objects[], size_t count,
-                                    const tb_orders *orders)
+static const tb_object *find_object(const tb_drive_table *drive, const tb_object objects[],
+                                    size_t count, const tb_orders *orders)
 {
     bool const is_size = orders->failure == TB_FAILURE_SIZE;
     for (size_t i = 0; i < count; i++) {
         const tb_object *const object = &objects[i];
-        bool const differs = orders->detail != (is_size ? object->size : object->value);
+        uint32_t const wanted = is_size ? object->size : tb_setup_value(drive, object);
+        bool const differs = orders->detail != wanted;
         if ((object->index == orders->index) && (object->subindex == orders->subindex) && differs) {
             return object;
         }
@@ -55,8 +62,11 @@ static const tb_object *wanted_object(const tb_orders *orders)
         return NULL;
     }
     const tb_drive_table *const drive = &tb_drives[orders->culprit];
-    const tb_object *const object = find_object(drive->identity, drive->identity_count, orders);
-    return (object != NULL) ? object : find_object(drive->contract, drive->contract_count, orders);
+    const tb_object *const object =
+        find_object(drive, drive->identity, drive->identity_count, orders);
+    return (object != NULL)
+               ? object
+               : find_object(drive, drive->contract, drive->contract_count, orders);
 }
 
 /* The mode that a drive was told to take, or to show; the contract's comes before anyone orders one. */
@@ -72,7 +82,7 @@ static void tell_difference(const tb_orders *orders, size_t room, char text[])
 {
     const tb_object *const wanted = wanted_object(orders);
     if (is_of_mode(orders)) {
-        uint8_t const mode = tb_cia402_mode((tb_mode)orders->drives[orders->culprit].mode);
+        uint8_t const mode = kind_of(orders)->modes[orders->drives[orders->culprit].mode];
         snprintf(text, room, ": object %04X:%02X holds 0x%" PRIX32 ", it was told 0x%X",
                  orders->index, orders->subindex, orders->detail, (unsigned)mode);
     } else if (wanted == NULL) {
@@ -81,7 +91,8 @@ static void tell_difference(const tb_orders *orders, size_t room, char text[])
     } else {
         snprintf(text, room,
                  ": object %04X:%02X holds 0x%" PRIX32 ", the machine file says 0x%" PRIX32,
-                 orders->index, orders->subindex, orders->detail, wanted->value);
+                 orders->index, orders->subindex, orders->detail,
+                 tb_setup_value(&tb_drives[orders->culprit], wanted));
     }
 }
 
@@ -99,7 +110,7 @@ static void tell_object(const tb_orders *orders, size_t room, char text[])
 {
     if (orders->failure == TB_FAILURE_ABORT) {
         snprintf(text, room, ": object %04X:%02X, aborted with %08" PRIX32 " (%s)", orders->index,
-                 orders->subindex, orders->detail, tb_sdo_abort_text(orders->detail));
+                 orders->subindex, orders->detail, tb_drive_kind_abort_text(kind_of(orders), orders->detail));
     } else if (orders->failure == TB_FAILURE_DIFFERENT) {
         tell_difference(orders, room, text);
     } else if (orders->failure == TB_FAILURE_SIZE) {
@@ -148,7 +159,7 @@ static void tell_detail(const tb_orders *orders, size_t room, char text[])
         tell_object(orders, room, text);
     } else if (orders->cause == TB_CAUSE_DRIVE_FAULT) {
         snprintf(text, room, ": error %04" PRIX32 " (%s)", orders->detail,
-                 tb_emcy_text((uint16_t)orders->detail));
+                 tb_drive_kind_error_text(kind_of(orders), (uint16_t)orders->detail));
     } else if (orders->cause == TB_CAUSE_STRANGER) {
         snprintf(text, room, ": of node %" PRIu32, orders->detail);
     } else if (orders->cause == TB_CAUSE_OTHER_MASTER) {

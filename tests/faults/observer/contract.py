@@ -101,7 +101,7 @@ def identity(axis: Axis) -> dict[Key, int]:
     rating, drive = axis.rating, axis.drive
     due = {
         (0x1018, 1): VENDOR,
-        (0x6076, 0): round(rating.rated_torque * 1e6),
+        (0x6076, 0): round(rating.nominal_current * rating.torque_constant * 1e6),
         (0x3001, 1): round(rating.nominal_current * 1e3),
         (0x3001, 5): round(rating.torque_constant * 1e6),
         (0x3010, 1): rating.encoder_counts // 4,

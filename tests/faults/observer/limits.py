@@ -91,8 +91,8 @@ class Bounds:
 def bounds(machine: Machine, axis: Axis) -> Bounds:
     """The bounds of a drive."""
     limits, period = machine.supervision, 1.0 / machine.buses[axis.bus].rate
-    unit, count = abs(axis.torque_per_permille), abs(axis.metres_per_increment)
-    is_cable, most = axis.rail is None, axis.permille_limit
+    unit, count = abs(axis.torque_per_unit), abs(axis.metres_per_increment)
+    is_cable, most = axis.rail is None, axis.most_torque_units
     rate = machine.cable_motor.torque_rate_limit if is_cable else limits.rail_torque_rate
     speed = limits.cable_speed if is_cable else limits.rail_speed
     lowest, highest = sorted((0, axis.sense * most)) if is_cable else (-most, most)
