@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
- * Machine 71c9470051fc7a1d, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
@@ -7,7 +7,7 @@
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "spidar_g"
-#define TB_MACHINE_HASH "71c9470051fc7a1d"
+#define TB_MACHINE_HASH "4d479a9b3a2bb17c"
 
 #define TB_DOF 6 /* degrees of freedom of the platform */
 #define TB_CABLES 8

@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
- * Machine 29879f03bd281d1c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
@@ -7,7 +7,7 @@
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon2023"
-#define TB_MACHINE_HASH "29879f03bd281d1c"
+#define TB_MACHINE_HASH "499338192b9e5092"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4

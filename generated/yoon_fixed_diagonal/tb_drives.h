@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_DRIVES_H
 #define TB_DRIVES_H
@@ -62,8 +62,9 @@ extern "C" {
 
 /** What is done with an entry of a drive's object dictionary. */
 typedef enum {
-    TB_OBJECT_CHECK = 0, /* read it; it must hold the value */
-    TB_OBJECT_WRITE = 1  /* write the value, read it back */
+    TB_OBJECT_CHECK = 0,        /* read it; it must hold the value */
+    TB_OBJECT_WRITE = 1,        /* write the value, read it back */
+    TB_OBJECT_WRITE_OF_NODE = 2 /* the same, with the drive's number added to the value */
 } tb_object_action;
 
 /** An entry of a drive's object dictionary. */
@@ -75,6 +76,37 @@ typedef struct {
     uint32_t value; /* a negative one in two's complement of `size` bytes */
 } tb_object;
 
+/** How severe an emergency of a drive is. */
+typedef enum {
+    TB_ERROR_NONE = 0,
+    TB_ERROR_WARNING,      /* goes on: for people to read */
+    TB_ERROR_FAULT,        /* its power stage is off or going off */
+    TB_ERROR_COMMUNICATION /* as FAULT; cleared only by a reset of its communication */
+} tb_error_class;
+
+/** Error codes of a drive's maker, from one to another, both included. */
+typedef struct {
+    uint16_t first;
+    uint16_t last;
+    uint8_t error_class; /* tb_error_class */
+    const char *text;
+} tb_error_text;
+
+/** An SDO abort code of a drive's maker. */
+typedef struct {
+    uint32_t code;
+    const char *text;
+} tb_abort_text;
+
+/** What drives of one kind have of their own beside their objects. */
+typedef struct {
+    const tb_error_text *errors; /* those that CiA 301 and CiA 402 do not name, or name otherwise */
+    const tb_abort_text *aborts;
+    uint16_t error_count;
+    uint16_t abort_count;
+    uint8_t modes[4]; /* by tb_mode: the mode of operation (6060) */
+} tb_drive_kind;
+
 /** A bus of the machine file. */
 typedef struct {
     const char *name;
@@ -82,8 +114,8 @@ typedef struct {
     uint8_t divider;   /* control cycles from one SYNC to the next */
 } tb_bus_table;
 
-/** A drive of the machine file; increments are counts of its encoder, per mille those of its motor's
- *  rated torque. */
+/** A drive of the machine file; increments are counts of its encoder, units of torque those of its
+ *  target torque (6071). */
 typedef struct {
     const char *name;
     uint8_t bus;  /* its number in tb_buses */
@@ -91,13 +123,14 @@ typedef struct {
     uint8_t mode; /* at work it follows 0 torque (CST), 1 position (CSP) */
     real_t metres_per_increment; /* < 0 where the encoder counts against the position */
     real_t increments_per_metre;
-    real_t torque_per_permille; /* N m; < 0 where the motor turns against the position */
-    real_t permille_per_torque; /* 1/(N m) */
-    int16_t permille_limit;     /* most the drive is asked for, either way */
+    real_t torque_per_unit;     /* N m; < 0 where the motor turns against the position */
+    real_t units_per_torque;    /* 1/(N m) */
+    int16_t most_torque_units;  /* most the drive is asked for, either way */
     uint16_t identity_count;
     uint16_t contract_count;
     const tb_object *identity; /* IDENTIFY reads these */
     const tb_object *contract; /* CONFIGURE writes these and reads them back, in this order */
+    const tb_drive_kind *kind;
 } tb_drive_table;
 
 /** A frame that a node other than a drive may send; 0x800 is none. */

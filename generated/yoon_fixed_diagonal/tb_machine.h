@@ -1,5 +1,5 @@
 /* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
- * Machine 11c313de2c0e76cd, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
+ * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
 #define TB_MACHINE_H
@@ -7,7 +7,7 @@
 #include "tb_types.h"
 
 #define TB_MACHINE_NAME "yoon_fixed_diagonal"
-#define TB_MACHINE_HASH "11c313de2c0e76cd"
+#define TB_MACHINE_HASH "7ea279c692dea1e9"
 
 #define TB_DOF 2 /* degrees of freedom of the platform */
 #define TB_CABLES 4
