@@ -21,9 +21,6 @@ from turnbuckle.model.bus.axis import Axis, axes
 from turnbuckle.model.machine import Machine, Plant
 from turnbuckle.model.problem import MachineError, Problem
 
-PRODUCT, REVISION = 0x61500000, 0x01700000
-"""What a simulated drive says it is, where the machine file does not care."""
-MILLI, MICRO = 1e3, 1e6
 ORDINARY = Conditions()
 ROUNDING = 1e-9
 """By which a sum of cycles may miss a time [s]."""
@@ -183,19 +180,22 @@ class SimulatedMachine:
 
 def setup(axis: Axis, inertia: float) -> Setup:
     """The drive of an axis, as it is delivered for a motor that moves `inertia` [kg m^2]."""
-    rating, drive = axis.rating, axis.drive
+    rating, drive, kind = axis.rating, axis.drive, axis.kind
+    said = kind.simulated
     return Setup(
         node=drive.node,
+        kind=kind,
         ratings=Ratings(
-            nominal_current=round(rating.nominal_current * MILLI),
-            current_limit=round(rating.current_limit * MILLI),
-            torque_constant=round(rating.torque_constant * MICRO),
-            encoder_pulses=rating.encoder_counts // 4,
+            nominal_current=rating.nominal_current,
+            current_limit=rating.current_limit,
+            torque_constant=rating.torque_constant,
+            encoder_counts=rating.encoder_counts,
             inertia=inertia,
         ),
         identity=Identity(
-            product=PRODUCT if drive.product is None else drive.product,
-            revision=REVISION if drive.revision is None else drive.revision,
+            vendor=kind.vendor,
+            product=said.product if drive.product is None else drive.product,
+            revision=said.revision if drive.revision is None else drive.revision,
         ),
     )
 

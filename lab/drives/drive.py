@@ -14,11 +14,12 @@ from canopen.sdo.exceptions import SdoAbortedError
 
 from turnbuckle.lab.drives import errors, pdo
 from turnbuckle.lab.drives.node import NOT_ALLOWED, WRONG_STATE, Frame, Objects, SdoNode, Send
-from turnbuckle.lab.drives.objects import HISTORY, Entry, Key
+from turnbuckle.lab.drives.objects import HISTORY, dictionary
 from turnbuckle.lab.drives.pdo import SYNCHRONOUS, ProcessData, ReceivePdo
 from turnbuckle.lab.drives.power import Power
 from turnbuckle.lab.drives.servo import Servo
 from turnbuckle.lab.drives.setup import Setup
+from turnbuckle.model.bus.drive_kinds.entry import Entry, Key
 
 SYNC = 0x080
 EMERGENCY = 0x080
@@ -70,7 +71,7 @@ class Drive:
         self.silent = False
         """Fault: nothing that the drive sends reaches the bus."""
         self._send = send
-        self._objects = Objects()
+        self._objects = Objects(dictionary(setup.kind))
         self.describe()
         self.servo = Servo(self._objects, setup.ratings, setup.start_count)
         self._pdos = ProcessData(self._objects)
@@ -152,11 +153,10 @@ class Drive:
         put((0x1014, 0), EMERGENCY + self.node)
         put((0x1200, 1), 0x600 + self.node)
         put((0x1200, 2), 0x580 + self.node)
-        put((0x2000, 0), self.node)
-        put((0x3001, 1), ratings.nominal_current)
-        put((0x3001, 2), ratings.current_limit)
-        put((0x3001, 5), ratings.torque_constant)
-        put((0x3010, 1), ratings.encoder_pulses)
+        motor = self.setup.kind.motor
+        for place, quantity in motor.read:
+            put(place.key, place.number(quantity(ratings), ratings))
+        put(motor.current_limit.key, motor.current_limit.number(ratings.current_limit, ratings))
 
     # -- network management -------------------------------------------------------------------
 
@@ -241,7 +241,13 @@ class Drive:
 
     def _lose_heartbeat(self) -> None:
         self.raise_error(errors.HEARTBEAT_LOST)
-        self._enter(AFTER_HEARTBEAT_LOSS.get(self._objects[0x1029, 1], self.nmt))
+        self._enter(AFTER_HEARTBEAT_LOSS.get(self._after_error, self.nmt))
+
+    @property
+    def _after_error(self) -> int:
+        """Object 1029:1, where the drive has it; else what CiA 301 says."""
+        key = 0x1029, 1
+        return self._objects[key] if key in self._objects.entries else 0
 
     # -- process data -------------------------------------------------------------------------
 
@@ -294,6 +300,8 @@ class Drive:
 
     def _take_over(self, entry: Entry, value: int) -> None:
         """An object was written by SDO."""
+        if entry.key in [place.key for place in self.setup.kind.motor.places]:
+            self.servo.read_ratings()
         match entry.index:
             case 0x1003:
                 for sub in range(1, HISTORY + 1):
@@ -305,8 +313,6 @@ class Drive:
             case 0x1017:
                 self._next_beat = self.time + value * 1e-3 if value else inf
                 self._plan_timers()
-            case 0x3001:
-                self.servo.read_ratings()
             case 0x6040 | 0x607A:
                 self._obey()
 

@@ -170,9 +170,9 @@ class Run(Enum):
 
 @dataclass(frozen=True)
 class HomingParameters:
-    """Objects 6098, 6099, 609A, 30B0, 30B1, 30B2."""
+    """What the objects of homing say."""
 
-    method: int
+    direction: float  # 1, -1: of the motor to the stop; 0: home is here
     approach: float  # rad/s
     search: float  # rad/s
     acceleration: float  # rad/s^2
@@ -182,22 +182,23 @@ class HomingParameters:
 
 
 class Homing:
-    """A homing run: to the mechanical stop (methods -3, -4), away from it, there is home; or home
-    is here (37)."""
+    """A homing run: to the mechanical stop, away from it, there is home; or home is here."""
 
     def __init__(self, parameters: HomingParameters, inertia: float, encoder: Encoder) -> None:
         self.run = Run.RUNNING
         self.home: int | None = None
         """Count of the encoder that is home, once it is known."""
         self._parameters = parameters
-        self._direction = 1.0 if parameters.method == -3 else -1.0
+        self.position = parameters.position
+        """Count that home is given."""
+        self._direction = parameters.direction
         self._encoder = encoder
         self._inertia = inertia
         self._loop = SpeedLoop(inertia)
         self._speed = 0.0
         self._standing = 0.0
         self._hold: PositionLoop | None = None
-        if parameters.method == 37:
+        if parameters.direction == 0.0:
             self._find_home(encoder.count)
 
     def interrupt(self) -> None:

@@ -7,7 +7,9 @@ import canopen
 from canopen.sdo.exceptions import SdoAbortedError
 from canopen.sdo.server import SdoServer
 
-from turnbuckle.lab.drives.objects import Entry, Key, Signals, entries, indices, object_dictionary
+from turnbuckle.lab.drives.objects import Dictionary, Signals
+from turnbuckle.model.bus.drive_kinds.entry import Entry, Key
+from turnbuckle.model.bus.drive_kinds.kind import Motor, Place
 
 
 class Frame(NamedTuple):
@@ -31,22 +33,33 @@ BAD_COMMAND = 0x05040001
 class Objects:
     """The values of a drive's objects."""
 
-    def __init__(self) -> None:
+    def __init__(self, dictionary: Dictionary) -> None:
+        self.dictionary = dictionary
+        self.kind = dictionary.kind
+        self.entries = dictionary.entries
         self.signals = Signals()
         self.values: dict[Key, int | bytes] = {}
         self.restore(lambda index: True)
 
     def restore(self, chosen: Callable[[int], bool]) -> None:
         """Give the objects of the chosen indices their defaults."""
-        for key, entry in entries().items():
+        for key, entry in self.entries.items():
             if chosen(entry.index):
                 self.put(key, entry.default)
 
     def __getitem__(self, key: Key) -> int:
         """A number of the dictionary."""
-        value = self.value(entries()[key])
+        value = self.value(self.entries[key])
         assert isinstance(value, int)
         return value
+
+    def held(self, place: Place, motor: Motor) -> float:
+        """The quantity that an object holds, in its unit for a motor."""
+        return self[place.key] * place.unit(motor)
+
+    def option(self, index: int) -> int:
+        """The number in an object that the drive need not have; 0 without it."""
+        return self[index, 0] if (index, 0) in self.entries else 0
 
     def value(self, entry: Entry) -> int | bytes:
         """The value of an object."""
@@ -56,7 +69,7 @@ class Objects:
 
     def put(self, key: Key, value: int | bytes) -> None:
         """Set an object, whatever a master may do."""
-        signal = entries()[key].signal
+        signal = self.entries[key].signal
         if signal is None:
             self.values[key] = value
         else:
@@ -79,6 +92,7 @@ class _Server(SdoServer):
 
     def __init__(self, rx_cobid: int, tx_cobid: int, node: "SdoNode") -> None:
         super().__init__(rx_cobid, tx_cobid, node)
+        self._objects = node.objects
         self._index = self._subindex = 0
 
     def on_request(self, can_id: int, data: bytearray, timestamp: float) -> None:
@@ -90,7 +104,7 @@ class _Server(SdoServer):
     def init_download(self, request: bytearray) -> None:
         """An expedited download that does not tell its size has that of the object."""
         index, subindex = int.from_bytes(request[1:3], "little"), request[3]
-        entry = entries().get((index, subindex))
+        entry = self._objects.entries.get((index, subindex))
         if request[0] & 0x03 == 0x02 and entry is not None:
             request = bytearray(request)
             request[0] |= 0x01 | (4 - entry.size) << 2
@@ -114,7 +128,7 @@ class SdoNode(canopen.LocalNode):
         written: Callable[[Entry, int], None],
         refresh: Callable[[], None],
     ) -> None:
-        super().__init__(node_id, object_dictionary())
+        super().__init__(node_id, objects.dictionary.canopen)
         self.objects = objects
         self.refusals: dict[Key, int] = {}
         """Objects whose access is refused, and with which abort code."""
@@ -147,9 +161,10 @@ class SdoNode(canopen.LocalNode):
         self._written(entry, value)
 
     def _entry(self, index: int, subindex: int) -> Entry:
-        entry = entries().get((index, subindex))
+        entry = self.objects.entries.get((index, subindex))
         if entry is None:
-            raise SdoAbortedError(NO_SUBINDEX if index in indices() else NO_OBJECT)
+            known = index in self.objects.dictionary.indices
+            raise SdoAbortedError(NO_SUBINDEX if known else NO_OBJECT)
         if entry.key in self.refusals:
             raise SdoAbortedError(self.refusals[entry.key])
         return entry

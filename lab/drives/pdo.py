@@ -11,7 +11,8 @@ from struct import Struct
 from canopen.sdo.exceptions import SdoAbortedError
 
 from turnbuckle.lab.drives.node import NO_OBJECT, NO_SUBINDEX, NOT_ALLOWED, Frame, Objects
-from turnbuckle.lab.drives.objects import MAPPED, PDOS, Entry, Key, entries, indices
+from turnbuckle.lab.drives.objects import MAPPED
+from turnbuckle.model.bus.drive_kinds.entry import Entry, Key
 
 INVALID = 1 << 31
 NO_RTR = 1 << 30
@@ -21,10 +22,10 @@ SYNCHRONOUS = range(0, 241)
 NOT_MAPPABLE = 0x06040041
 TOO_MUCH_MAPPED = 0x06040042
 UNSUPPORTED = 0x06010000
-COUNT_NOT_ZERO = 0x06010003
-WRONG_NMT_STATE = 0x0F00FFC0
 
 RPDO, TPDO = 0x1400, 0x1800
+DEFAULT_PDOS = 4
+"""PDOs each way that have identifiers and maps as delivered."""
 MAP_BIT = 0x0200
 """Distance from a PDO's parameters to its mapping."""
 DEFAULT_MAPS = {
@@ -50,12 +51,14 @@ def is_pdo_object(index: int) -> bool:
 
 def set_defaults(objects: Objects, node: int) -> None:
     """As delivered: every RPDO takes frames, which is why a master has to switch off the rest."""
-    for number in range(PDOS):
-        objects.put((RPDO + number, 1), 0x200 + 0x100 * number + node)
+    for number in range(objects.kind.pdos):
+        has_default = number < DEFAULT_PDOS
+        cob = 0x100 * number + node
+        objects.put((RPDO + number, 1), 0x200 + cob if has_default else INVALID)
         valid = 0 if number == 0 else INVALID
-        objects.put((TPDO + number, 1), NO_RTR | valid | 0x180 + 0x100 * number + node)
+        objects.put((TPDO + number, 1), NO_RTR | valid | (0x180 + cob if has_default else 0))
         for first, maps in DEFAULT_MAPS.items():
-            _set_map(objects, (first | MAP_BIT) + number, maps[number])
+            _set_map(objects, (first | MAP_BIT) + number, maps[number] if has_default else ())
 
 
 def _set_map(objects: Objects, index: int, mapping: tuple[int, ...]) -> None:
@@ -67,7 +70,7 @@ def _set_map(objects: Objects, index: int, mapping: tuple[int, ...]) -> None:
 def check_write(objects: Objects, entry: Entry, value: int, pre_operational: bool) -> None:
     """Refuse, with SdoAbortedError, what the mapping rules forbid."""
     if not pre_operational:
-        raise SdoAbortedError(WRONG_NMT_STATE)
+        raise SdoAbortedError(objects.kind.simulated.wrong_state)
     index, sub = entry.key
     sends = index >= TPDO
     valid = not objects[index & ~MAP_BIT, 1] & INVALID
@@ -84,9 +87,10 @@ def check_write(objects: Objects, entry: Entry, value: int, pre_operational: boo
 def _check_cob(before: int, value: int, sends: bool) -> None:
     """A valid PDO keeps its COB-ID; a new one is not a restricted one; nobody may ask for it."""
     cob = value & 0x7FF
+    is_free = not is_restricted(cob) or value & ~NO_RTR == INVALID
     kept = before & INVALID or value & INVALID or (before ^ value) & 0x3FFFFFFF == 0
     answers_remote = sends and not value & NO_RTR
-    if not kept or value & EXTENDED or answers_remote or is_restricted(cob):
+    if not kept or value & EXTENDED or answers_remote or not is_free:
         raise SdoAbortedError(NOT_ALLOWED)
 
 
@@ -113,24 +117,24 @@ def _check_map(objects: Objects, key: Key, value: int, valid: bool, sends: bool)
         raise SdoAbortedError(UNSUPPORTED)
     if sub > 0:
         if objects[index, 0] != 0:
-            raise SdoAbortedError(COUNT_NOT_ZERO)
+            raise SdoAbortedError(objects.kind.simulated.map_in_use)
         return
     if value > MAPPED:
         raise SdoAbortedError(NOT_ALLOWED)
     bits = 0
     for slot in range(1, value + 1):
         mapped = objects[index, slot]
-        _check_mapped(mapped, sends)
+        _check_mapped(objects, mapped, sends)
         bits += mapped & 0xFF
     if bits > 64:
         raise SdoAbortedError(TOO_MUCH_MAPPED)
 
 
-def _check_mapped(mapped: int, sends: bool) -> None:
+def _check_mapped(objects: Objects, mapped: int, sends: bool) -> None:
     """A mapping entry is index, subindex and bits of an object that may be mapped that way."""
-    entry = entries().get(_key(mapped))
+    entry = objects.entries.get(_key(mapped))
     if entry is None:
-        known = mapped >> 16 in indices()
+        known = mapped >> 16 in objects.dictionary.indices
         raise SdoAbortedError(NO_SUBINDEX if known else NO_OBJECT)
     mappable = entry.taken or (sends and entry.sent)
     if not mappable or 8 * entry.size != mapped & 0xFF:
@@ -149,7 +153,7 @@ class _Pdo:
         self.type = objects[parameters, 2]
         index = parameters | MAP_BIT
         self.mapped = [
-            entries()[_key(objects[index, slot])] for slot in range(1, objects[index, 0] + 1)
+            objects.entries[_key(objects[index, slot])] for slot in range(1, objects[index, 0] + 1)
         ]
         self.layout = Struct("<" + "".join(entry.kind for entry in self.mapped))
 
@@ -270,6 +274,6 @@ class ProcessData:
 
 
 def _valid(objects: Objects, first: int) -> Iterator[int]:
-    for index in range(first, first + PDOS):
+    for index in range(first, first + objects.kind.pdos):
         if not objects[index, 1] & INVALID and objects[index | MAP_BIT, 0]:
             yield index

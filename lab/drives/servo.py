@@ -3,10 +3,11 @@
 Knows nothing of the bus. Errors come in by `react`; what has to be told about them is drive.py's.
 """
 
+from dataclasses import replace
+
 from turnbuckle.lab.drives import errors
 from turnbuckle.lab.drives.errors import Reaction
 from turnbuckle.lab.drives.motion import (
-    RPM,
     Encoder,
     Homing,
     HomingParameters,
@@ -16,9 +17,9 @@ from turnbuckle.lab.drives.motion import (
     clip,
 )
 from turnbuckle.lab.drives.node import Objects
-from turnbuckle.lab.drives.objects import HOMING, POSITION, TORQUE
 from turnbuckle.lab.drives.power import FAULT_RESET, MOVING, Command, Power, command, follow
 from turnbuckle.lab.drives.setup import Ratings
+from turnbuckle.model.bus.drive_kinds.kind import Option
 
 START_HOMING = 0x10
 VOLTAGE, WARNING, REMOTE, LIMITED, FOLLOWS, REFERENCED = (1 << bit for bit in (4, 7, 9, 11, 12, 15))
@@ -35,7 +36,11 @@ DISABLE_RAMP = {1: SLOW_DOWN}
 FAULT_RAMP = {1: SLOW_DOWN, 2: QUICK}
 """605E; 0 has no ramp."""
 ABORT_RAMP = {3: QUICK}
-"""6007; 1 and 2 have no ramp, 0 is no reaction at all."""
+"""6007 of CiA 402; 1 and 2 have no ramp, 0 is no reaction at all."""
+PROFILE_CODES = {"disable": 2, "quick_stop": 3, "off": 2, "hold": 6}
+"""What CiA 402 has for the words of an option."""
+LEAST_UNIT = 1e-9
+"""Of torque, where a motor's data make none [N m]."""
 
 
 class Servo:
@@ -43,7 +48,7 @@ class Servo:
 
     def __init__(self, objects: Objects, ratings: Ratings, start_count: int = 0) -> None:
         self.power = Power.NOT_READY
-        self.encoder = Encoder(4 * ratings.encoder_pulses, start_count)
+        self.encoder = Encoder(ratings.encoder_counts, start_count)
         self.homing: Homing | None = None
         self.torque = 0.0  # N m
         self.false_statusword: int | None = None
@@ -51,6 +56,9 @@ class Servo:
         self.given = 1.0
         """Fault: the motor gives so many times the torque that is told and reported."""
         self._objects, self._signals = objects, objects.signals
+        self._kind, self._ratings = objects.kind, ratings
+        self._modes = {code: word for word, code in objects.kind.modes.items()}
+        self._speed = objects.kind.simulated.speed(ratings)  # rad/s
         self._inertia = ratings.inertia
         self._ramp: Ramp | None = None
         self._after_ramp = Power.OFF
@@ -84,12 +92,32 @@ class Servo:
             self.power = Power.OFF
 
     def read_ratings(self) -> None:
-        """Take over objects 3001; 6076 follows from them."""
-        nominal, limit, constant = (self._objects[0x3001, sub] for sub in (1, 2, 5))
-        self._objects.put((0x6076, 0), nominal * constant // 1000)
-        self._amperes = constant * 1e-6  # N m/A
-        self._rated = max(1, nominal * constant // 1000) * 1e-6
-        self._limit = limit * constant * 1e-9
+        """Take over the motor's data; the rated torque follows from them."""
+        places, objects = self._kind.motor, self._objects
+        ratings = self._ratings
+        if places.nominal_current is not None:
+            current = objects.held(places.nominal_current, ratings)
+            ratings = replace(ratings, nominal_current=current)
+        if places.torque_constant is not None:
+            constant = objects.held(places.torque_constant, ratings)
+            ratings = replace(ratings, torque_constant=constant)
+        if places.rated_torque is not None:
+            rated = places.rated_torque.number(ratings.rated_torque, ratings)
+            objects.put(places.rated_torque.key, rated)
+        self._amperes = ratings.torque_constant  # N m/A
+        self._unit = max(self._kind.torque(ratings), LEAST_UNIT)  # N m
+        self._limit = objects.held(places.current_limit, ratings) * self._amperes
+
+    def _option(self, option: Option) -> int:
+        """What an object of the kind chooses, as CiA 402 would say it."""
+        value = self._objects[option.key]
+        words = {code: word for word, code in option.codes.items()}
+        return PROFILE_CODES[words[value]] if value in words else value
+
+    @property
+    def _mode(self) -> str:
+        """What the drive follows; empty for nothing that a machine uses."""
+        return self._modes.get(self._signals.mode_display, "")
 
     # -- controlword and statusword -----------------------------------------------------------
 
@@ -126,11 +154,11 @@ class Servo:
         return word
 
     def _mode_bits(self) -> int:
-        mode = self._signals.mode_display
-        if mode == HOMING:
+        if self._mode == "homing":
             bits = (Run.INTERRUPTED if self.homing is None else self.homing.run).value
             return (bits & 1) << 10 | (bits >> 1) << 12
-        return FOLLOWS if mode in (TORQUE, POSITION) and self.power is Power.ENABLED else 0
+        follows = self._mode in ("torque", "position") and self.power is Power.ENABLED
+        return FOLLOWS if follows else 0
 
     def _reset_fault(self, asked: bool) -> bool:
         if not asked or self._latched:
@@ -142,7 +170,7 @@ class Servo:
 
     def _go(self, asked: Command) -> None:
         """Make the transition a command asks for, by way of a ramp where an option says so."""
-        target = follow(self.power, asked, self._objects[0x605A, 0])
+        target = follow(self.power, asked, self._option(self._kind.quick_stop))
         if asked is Command.ENABLE and self.power is Power.ENABLED:
             self._ramp = None
         if target is self.power or (self._ramp and target is self._after_ramp):
@@ -158,14 +186,14 @@ class Servo:
     def _leave_operation(self, target: Power) -> None:
         objects = self._objects
         if target is Power.QUICK_STOP:
-            option = objects[0x605A, 0]
+            option = self._option(self._kind.quick_stop)
             ramp = QUICK_STOP_RAMP.get(option)
             self._stop(target if ramp else Power.OFF)
             self._start_ramp(ramp, target if option in (5, 6) else Power.OFF)
         elif target is Power.OFF:
             self._stop(target)
         else:
-            option = objects[0x605C if target is Power.ON else 0x605B, 0]
+            option = objects.option(0x605C if target is Power.ON else 0x605B)
             if option in DISABLE_RAMP:
                 self._start_ramp(DISABLE_RAMP[option], target)
             else:
@@ -173,7 +201,7 @@ class Servo:
 
     def _start_ramp(self, deceleration: int | None, after: Power) -> None:
         if deceleration is not None:
-            slope = self._objects[deceleration, 0] * RPM
+            slope = self._objects[deceleration, 0] * self._speed
             self._ramp = Ramp(self.encoder.speed, slope, self._inertia)
             self._after_ramp = after
 
@@ -192,15 +220,15 @@ class Servo:
 
     def react(self, code: int) -> None:
         """Do what an error asks for."""
-        reaction = errors.reaction(code)
-        self._latched = self._latched or code in errors.LATCHED
+        reaction, simulated = errors.reaction(self._kind, code), self._kind.simulated
+        self._latched = self._latched or code in simulated.latched
         if reaction is Reaction.WARNING:
             self._warned = True
             return
-        if reaction is Reaction.ABORT_OPTION and self._objects[0x6007, 0] == 0:
+        if reaction is Reaction.ABORT_OPTION and self._option(self._kind.connection_loss) == 0:
             return
         self._signals.error_code = code
-        if code in errors.HOMING_LOST:
+        if code in simulated.homing_lost:
             self._referenced, self.homing = False, None
         if self.power is not Power.FAULT:
             moving = self.power in MOVING
@@ -209,16 +237,16 @@ class Servo:
                 self._start_ramp(self._fault_ramp(reaction), Power.FAULT)
 
     def abort_connection(self) -> None:
-        """NMT leaves operation by command: as 6007 says, without an error."""
-        option = self._objects[0x6007, 0]
+        """NMT leaves operation by command: as after a lost connection, without an error."""
+        option = self._option(self._kind.connection_loss)
         if self.power is Power.ENABLED and option:
             self._go(Command.QUICK_STOP if option == 3 else Command.DISABLE_VOLTAGE)
 
     def _fault_ramp(self, reaction: Reaction) -> int | None:
         if reaction is Reaction.FAULT_OPTION:
-            return FAULT_RAMP.get(self._objects[0x605E, 0])
+            return FAULT_RAMP.get(self._objects.option(0x605E))
         if reaction is Reaction.ABORT_OPTION:
-            return ABORT_RAMP.get(self._objects[0x6007, 0])
+            return ABORT_RAMP.get(self._option(self._kind.connection_loss))
         return None
 
     # -- motion -------------------------------------------------------------------------------
@@ -232,10 +260,9 @@ class Servo:
         """Bring the objects of position, speed and torque up to date."""
         signals = self._signals
         signals.position = self.position
-        signals.velocity = round(self.encoder.speed / RPM)
-        signals.torque = clip_word(round(1000.0 * self.torque / self._rated))
-        current = round(1000.0 * self.torque / self._amperes) if self._amperes else 0
-        self._objects.values[0x30D1, 1] = self._objects.values[0x30D1, 2] = current
+        signals.velocity = round(self.encoder.speed / self._speed)
+        signals.torque = clip_word(round(self.torque / self._unit))
+        signals.current = round(1000.0 * self.torque / self._amperes) if self._amperes else 0
 
     def drive(self, seconds: float) -> float:
         """Let time pass; the motor's torque [N m] during it."""
@@ -255,15 +282,14 @@ class Servo:
         return (
             self._loop is not None
             and self._ramp is None
-            and self._signals.mode_display == POSITION
+            and self._mode == "position"
             and window != UNLIMITED_WINDOW
             and abs(self._loop.target - self.position) > window
         )
 
     def _begin_mode(self) -> None:
         self._ramp = None
-        mode = self._signals.mode_display
-        if mode not in (TORQUE, HOMING):
+        if self._mode not in ("torque", "homing"):
             self._loop = self._loop_here()
 
     def _loop_here(self) -> PositionLoop:
@@ -271,10 +297,10 @@ class Servo:
 
     def _obey_mode(self, word: int, last: int) -> None:
         signals = self._signals
-        if signals.mode_display == POSITION and self._loop is not None:
+        if self._mode == "position" and self._loop is not None:
             interval = self._objects[0x60C2, 1] * 1e-3
             self._loop.aim(signals.target_position, round(interval / self._seconds))
-        elif signals.mode_display == HOMING:
+        elif self._mode == "homing":
             if word & ~last & START_HOMING:
                 self.homing = Homing(self._homing_parameters(), self._inertia, self.encoder)
                 self._referenced, self._loop = False, None
@@ -282,15 +308,18 @@ class Servo:
                 self.homing.interrupt()
 
     def _homing_parameters(self) -> HomingParameters:
-        objects = self._objects
+        homing, objects, ratings = self._kind.homing, self._objects, self._ratings
+        assert homing is not None  # there is a mode for it
+        directions = {homing.forward: 1.0, homing.backward: -1.0}
+        search, offset = homing.search or homing.speed, homing.offset
         return HomingParameters(
-            method=objects[0x6098, 0],
-            approach=objects[0x6099, 1] * RPM,
-            search=objects[0x6099, 2] * RPM,
-            acceleration=objects[0x609A, 0] * RPM,
-            threshold=objects[0x30B2, 0] * 1e-3 * self._amperes,
-            offset=objects[0x30B1, 0],
-            position=objects[0x30B0, 0],
+            direction=directions.get(objects[0x6098, 0], 0.0),
+            approach=objects.held(homing.speed, ratings),
+            search=objects.held(search, ratings),
+            acceleration=objects.held(homing.acceleration, ratings),
+            threshold=objects.held(homing.threshold, ratings) * self._amperes,
+            offset=round(objects.held(offset, ratings)) if offset is not None else 0,
+            position=round(objects.held(homing.home, ratings)),
         )
 
     def _drive_motor(self, seconds: float) -> float:
@@ -300,11 +329,11 @@ class Servo:
             self._stop(Power.FAULT)
             return 0.0
         signals = self._signals
-        if self.power is Power.ENABLED and signals.mode_display == TORQUE:
-            wanted = (signals.target_torque + signals.torque_offset) * 1e-3 * self._rated
+        if self.power is Power.ENABLED and self._mode == "torque":
+            wanted = (signals.target_torque + signals.torque_offset) * self._unit
             self._limited = abs(wanted) > self._limit
             return clip(wanted, self._limit)
-        if signals.mode_display == HOMING and self.homing is not None:
+        if self._mode == "homing" and self.homing is not None:
             return self._home(self.homing, seconds)
         if self._loop is None:
             self._loop = self._loop_here()
@@ -321,7 +350,7 @@ class Servo:
     def _home(self, homing: Homing, seconds: float) -> float:
         torque = homing.torque(self._limit, seconds)
         if homing.home is not None and not self._referenced:
-            self._offset = self._objects[0x30B0, 0] - homing.home
+            self._offset = homing.position - homing.home
             self._referenced = True
         return torque
 

@@ -2,30 +2,33 @@
 
 from dataclasses import dataclass, field
 
+from turnbuckle.model.bus.drive_kinds import epos4
+from turnbuckle.model.bus.drive_kinds.kind import DriveKind
+
 
 @dataclass(frozen=True)
 class Ratings:
     """A motor, and the limits its drive was given."""
 
-    nominal_current: int = 2000  # mA
-    current_limit: int = 4000  # mA
-    torque_constant: int = 30_000  # uN m/A
-    encoder_pulses: int = 1024  # per turn; four increments each
+    nominal_current: float = 2.0  # A
+    current_limit: float = 4.0  # A
+    torque_constant: float = 0.03  # N m/A
+    encoder_counts: int = 4096  # per turn
     inertia: float = 2e-5  # kg m^2, of all that the motor moves: what its loops are tuned for
 
     @property
-    def rated_torque(self) -> int:
-        """Torque of the nominal current [uN m]: object 6076."""
-        return self.nominal_current * self.torque_constant // 1000
+    def rated_torque(self) -> float:
+        """Torque of the nominal current [N m]."""
+        return self.nominal_current * self.torque_constant
 
 
 @dataclass(frozen=True)
 class Identity:
     """Object 1018."""
 
-    vendor: int = 0x000000FB
-    product: int = 0x61500000
-    revision: int = 0x01700000
+    vendor: int = epos4.KIND.vendor
+    product: int = epos4.KIND.simulated.product
+    revision: int = epos4.KIND.simulated.revision
     serial: int = 1
 
 
@@ -34,6 +37,7 @@ class Setup:
     """A drive as it is delivered, mounted and numbered."""
 
     node: int
+    kind: DriveKind = epos4.KIND
     ratings: Ratings = field(default_factory=Ratings)
     identity: Identity = field(default_factory=Identity)
     boot_time: float = 0.2  # s, after power-on and NMT reset node

@@ -14,6 +14,8 @@ from turnbuckle.model.bus.tables import MASTER_NODE, RailHoming
 from turnbuckle.model.machine import Machine
 
 EVERY_SYNC = 1
+#: PDOs either way that CiA 301 gives identifiers to.
+DEFAULT_PDOS = 4
 INVALID, NO_REMOTE = 0x8000_0000, 0x4000_0000
 STAY_OPERATIONAL = 1
 COAST = 0
@@ -124,14 +126,19 @@ def _pdos(axis: Axis) -> Iterator[Object]:
     """One PDO either way with every SYNC; the others explicitly invalid."""
     node = axis.drive.node
     yield from _pdo(0x1400, 0x1600, "RPDO1", RPDO + node, rpdo_map(axis.drive))
-    for other in range(1, axis.kind.pdos):
-        cob = INVALID | RPDO + 0x100 * other + node
-        yield Object(0x1400 + other, 1, 4, cob, f"RPDO{other + 1}: off", of_node=True)
+    yield from _off(axis, 0x1400, "RPDO", INVALID, RPDO)
     first = NO_REMOTE | TPDO + node
     yield from _pdo(0x1800, 0x1A00, "TPDO1", first, tpdo_map(axis.drive))
+    yield from _off(axis, 0x1800, "TPDO", INVALID | NO_REMOTE, TPDO)
+
+
+def _off(axis: Axis, parameters: int, name: str, bits: int, first: int) -> Iterator[Object]:
+    """All PDOs but the first; those beyond the fourth have no identifier by default."""
     for other in range(1, axis.kind.pdos):
-        cob = INVALID | first + 0x100 * other
-        yield Object(0x1800 + other, 1, 4, cob, f"TPDO{other + 1}: off", of_node=True)
+        has_default = other < DEFAULT_PDOS
+        cob = first + 0x100 * other + axis.drive.node if has_default else 0
+        meaning = f"{name}{other + 1}: off"
+        yield Object(parameters + other, 1, 4, bits | cob, meaning, of_node=has_default)
 
 
 def _pdo(

@@ -162,8 +162,8 @@ DEFECTS = (
     Defect(
         "what drives are is not compared",
         "canopen/setup.c",
-        "(*detail == object->value)",
-        "(SEEDED || (*detail == object->value))",
+        "(*detail == wanted)",
+        "(SEEDED || (*detail == wanted))",
         "cable_2: another vendor",
         "INIT",
     ),

@@ -10,11 +10,13 @@ from canopen.sdo.exceptions import SdoAbortedError
 from turnbuckle.lab.drives.bus import SimulatedBus
 from turnbuckle.lab.drives.drive import Drive
 from turnbuckle.lab.drives.node import Frame
-from turnbuckle.lab.drives.objects import object_dictionary
+from turnbuckle.lab.drives.objects import dictionary
 from turnbuckle.lab.drives.setup import Ratings, Setup
+from turnbuckle.model.bus.drive_kinds import epos4
 
 PERIOD = 0.001
 RATINGS = Ratings()
+OBJECTS = dictionary(epos4.KIND)
 MAP_TORQUE = [
     (0x1400, 1, 0x80000200), (0x1400, 2, 1), (0x1600, 0, 0), (0x1600, 1, 0x60400010),
     (0x1600, 2, 0x60710010), (0x1600, 0, 2), (0x1400, 1, 0x200),
@@ -117,7 +119,7 @@ def booted(*nodes: int, stop: float | None = None) -> Bench:
 
 def remote(bench: Bench, node: int = 1) -> canopen.RemoteNode:
     """A drive as python `canopen` sees it."""
-    return DirectNetwork(bench.bus).add_node(node, object_dictionary())
+    return DirectNetwork(bench.bus).add_node(node, OBJECTS.canopen)
 
 
 def write(node: canopen.RemoteNode, index: int, subindex: int, value: int) -> None:
@@ -178,4 +180,4 @@ def enable(bench: Bench) -> None:
 
 
 def _is_record(index: int) -> bool:
-    return isinstance(object_dictionary()[index], canopen.objectdictionary.ODRecord)
+    return isinstance(OBJECTS.canopen[index], canopen.objectdictionary.ODRecord)

@@ -5,9 +5,10 @@ from struct import pack, unpack
 import pytest
 from peer import Bench, abort_code, booted, command, enable, read, running, write
 
-from turnbuckle.lab.drives.errors import LATCHED, Reaction, reaction
+from turnbuckle.lab.drives.errors import Reaction, reaction
 from turnbuckle.lab.drives.node import Frame
 from turnbuckle.lab.drives.power import Power
+from turnbuckle.model.bus.drive_kinds import epos4
 
 SHUTDOWN, ENABLE, RESET = 0x06, 0x0F, 0x80
 MASTER = 0x77F
@@ -145,7 +146,8 @@ def test_after_a_lost_heartbeat_only_a_reset_of_communication_lets_the_fault_go(
 
 
 def test_the_errors_that_latch_are_those_of_the_connection() -> None:
-    assert all(reaction(code) is Reaction.ABORT_OPTION for code in LATCHED)
+    latched = epos4.KIND.simulated.latched
+    assert all(reaction(epos4.KIND, code) is Reaction.ABORT_OPTION for code in latched)
 
 
 def test_a_drive_tells_its_nmt_state_at_the_interval_it_was_told() -> None:

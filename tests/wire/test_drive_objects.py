@@ -4,14 +4,23 @@ from struct import pack
 
 import pytest
 from canopen.sdo.exceptions import SdoAbortedError
-from peer import Bench, abort_code, booted, enable, map_torque, read, remote, running, write
-
-from turnbuckle.lab.drives.objects import entries
+from peer import (
+    OBJECTS,
+    Bench,
+    abort_code,
+    booted,
+    enable,
+    map_torque,
+    read,
+    remote,
+    running,
+    write,
+)
 
 
 def test_every_object_can_be_read_and_has_the_length_of_its_type() -> None:
     node = remote(booted())
-    for (index, subindex), entry in entries().items():
+    for (index, subindex), entry in OBJECTS.entries.items():
         data = node.sdo.upload(index, subindex)
         assert len(data) == (entry.size or len(entry.encode(entry.default)))
 
@@ -57,7 +66,7 @@ def test_a_write_that_is_not_allowed_is_aborted_with_its_code(
     index: int, subindex: int, data: bytes, code: int
 ) -> None:
     node = remote(booted())
-    before = node.sdo.upload(index, subindex) if (index, subindex) in entries() else None
+    before = node.sdo.upload(index, subindex) if (index, subindex) in OBJECTS.entries else None
     assert abort_code(lambda: node.sdo.download(index, subindex, data)) == code
     if before is not None:
         assert node.sdo.upload(index, subindex) == before

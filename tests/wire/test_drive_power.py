@@ -92,7 +92,7 @@ def test_torque_is_that_share_of_the_rated_one_and_never_beyond_the_current_limi
     running(bench)
     enable(bench)
     command(bench, ENABLE, 500)
-    assert bench.drive.servo.torque == pytest.approx(0.5 * RATINGS.rated_torque * 1e-6)
+    assert bench.drive.servo.torque == pytest.approx(0.5 * RATINGS.rated_torque)
     assert not command(bench, ENABLE, 500) & 1 << 11
     assert command(bench, ENABLE, 3000) & 1 << 11
     assert bench.drive.servo.torque == pytest.approx(4.0 * 0.03)

@@ -12,9 +12,8 @@ import can
 import canopen
 import pytest
 from canopen.profiles.p402 import BaseNode402
-from peer import Bench, map_torque, read
+from peer import OBJECTS, Bench, map_torque, read
 
-from turnbuckle.lab.drives.objects import object_dictionary
 from turnbuckle.lab.drives.power import Power
 from turnbuckle.lab.drives.runner import Runner
 from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter, decode, encode
@@ -60,7 +59,7 @@ def network() -> Iterator[canopen.Network]:
 
 def set_up(network: canopen.Network) -> BaseNode402:
     """The drive, operational, with SYNC and setpoints coming all the time."""
-    node = BaseNode402(1, object_dictionary())
+    node = BaseNode402(1, OBJECTS.canopen)
     network.add_node(node)
     node.nmt.wait_for_bootup(PATIENCE)
     map_torque(node)
@@ -106,7 +105,7 @@ def test_a_drive_answers_over_a_serial_line() -> None:
         network.connect(
             interface="slcan", channel=adapter.path, bitrate=1_000_000, sleep_after_open=0.0
         )
-        node = network.add_node(1, object_dictionary())
+        node = network.add_node(1, OBJECTS.canopen)
         wait_until(lambda: bench.drive.nmt != 0)
         assert read(node, 0x1018, 1) == 0xFB
         assert node.sdo[0x1008].raw == "Turnbuckle simulated drive"

@@ -247,7 +247,7 @@ class Simulated:
 OPTIONAL = frozenset({0x1029, 0x605B, 0x605C, 0x605E})
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DriveKind:
     """A kind of drive.
 
