@@ -39,6 +39,7 @@ OWN = {
     "core/recorder.c": ("tests/unit/test_flight.py",),
     "core/words.c": ("tests/unit/test_supervisor_words.py",),
     "canopen/cia402.c": ("tests/unit/test_cia402.py",),
+    "canopen/drive_kind.c": ("tests/unit/test_emcy.py", "tests/wire/test_sdo.py"),
     "canopen/emcy.c": ("tests/unit/test_emcy.py",),
     "canopen/sdo.c": ("tests/wire/test_sdo.py",),
     "canopen/setup.c": ("tests/wire/test_drive_setup.py",),

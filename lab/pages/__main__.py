@@ -24,6 +24,7 @@ GUIDE = {
 DEVELOPMENT = {
     "Architecture": "architecture.md",
     "Adding a kind": "adding-a-kind.md",
+    "Adding a kind of drive": "adding-a-drive.md",
     "Contributing": "contributing.md",
     "Changelog": "changelog.md",
     "Licence": "licence.md",

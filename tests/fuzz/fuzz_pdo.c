@@ -83,9 +83,11 @@ static tb_can_frame status_at(uint32_t count)
 
 static void check_counts(uint32_t first, uint32_t next)
 {
-    tb_drive_table drive = {
-        .node = 1, .mode = 1, .metres_per_increment = 1, .increments_per_metre = 1,
-        .kind = tb_drives[0].kind};
+    tb_drive_table drive = {.node = 1,
+                            .mode = 1,
+                            .metres_per_increment = 1,
+                            .increments_per_metre = 1,
+                            .kind = tb_drives[0].kind};
     tb_drive_order const order = {.goal = TB_GOAL_ENABLED, .position = 1000};
     tb_can_frame const frames[] = {status_at(first), status_at(next)};
     tb_drive_link link;

@@ -38,8 +38,7 @@ static const tb_object *objects_of(const tb_setup *setup, size_t *count)
 
 static uint32_t value_of(const tb_setup *setup, const tb_object *object)
 {
-    return object->value +
-           ((object->action == TB_OBJECT_WRITE_OF_NODE) ? setup->drive->node : 0u);
+    return object->value + ((object->action == TB_OBJECT_WRITE_OF_NODE) ? setup->drive->node : 0u);
 }
 
 /* A drive that holds what it must: the answer to what is asked now. */

@@ -64,9 +64,8 @@ static const tb_object *wanted_object(const tb_orders *orders)
     const tb_drive_table *const drive = &tb_drives[orders->culprit];
     const tb_object *const object =
         find_object(drive, drive->identity, drive->identity_count, orders);
-    return (object != NULL)
-               ? object
-               : find_object(drive, drive->contract, drive->contract_count, orders);
+    return (object != NULL) ? object
+                            : find_object(drive, drive->contract, drive->contract_count, orders);
 }
 
 /* The mode that a drive was told to take, or to show; the contract's comes before anyone orders one. */
@@ -110,7 +109,8 @@ static void tell_object(const tb_orders *orders, size_t room, char text[])
 {
     if (orders->failure == TB_FAILURE_ABORT) {
         snprintf(text, room, ": object %04X:%02X, aborted with %08" PRIX32 " (%s)", orders->index,
-                 orders->subindex, orders->detail, tb_drive_kind_abort_text(kind_of(orders), orders->detail));
+                 orders->subindex, orders->detail,
+                 tb_drive_kind_abort_text(kind_of(orders), orders->detail));
     } else if (orders->failure == TB_FAILURE_DIFFERENT) {
         tell_difference(orders, room, text);
     } else if (orders->failure == TB_FAILURE_SIZE) {
