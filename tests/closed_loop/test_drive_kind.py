@@ -64,6 +64,7 @@ def tables(**keys: Any) -> dict[str, Any]:
     (named,) = tomllib.loads(block("toml"))["drive"]
     found["drive"][CABLE] = named
     found["drive"][BASE]["kind"] = named["kind"]
+    found["rail_drive"]["homing"]["beyond"] = "2 mm"
     return {**found, **keys}
 
 
@@ -116,11 +117,23 @@ def stopped(lockstep: Lockstep) -> State:
     return lockstep.run_until([State.HARD_STOP, State.FAULT], 3000)
 
 
+def check_scales(lockstep: Lockstep) -> None:
+    """Cables pull as ordered [N m], bases are where they are [m], whatever a drive's units."""
+    view, machine = lockstep.view, lockstep.machine
+    for number, axis in enumerate(axes(machine_of(tables()))):
+        if axis.rail is None:
+            pulls = axis.sense * machine.drives[number].servo.torque
+            assert abs(view["ordered"][number] - pulls) < 3 * abs(axis.torque_per_unit)
+        else:
+            assert abs(view["position"][number] - machine.positions[number]) < 0.2e-3
+
+
 def test_a_mixed_machine_comes_up_and_tells_an_error_in_the_words_of_its_maker(
     lockstep: Lockstep, words: Canopen
 ) -> None:
     assert lockstep.bring_up(BRING_UP) is State.RUN, told(words, lockstep)
     lockstep.run(100)
+    check_scales(lockstep)
     lockstep.machine.drives[CABLE].raise_error(0xFF20)
     lockstep.run(100)
     assert lockstep.state is State.RUN  # a warning of this maker
