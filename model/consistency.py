@@ -186,7 +186,13 @@ STAGES = (
     (layout.cables_span, layout.bases_off_one_line),
     (bus.buses_first, bus.bit_rates, bus.sync_rates, bus.names_and_nodes, bus.drives_on_buses),
     (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given, bus.other_nodes),
-    (bus.words_of_kinds, bus.rated_torques),
-    (bus.currents, bus.object_ranges, bus.heartbeats, bus.sweeps, bus.frames_of_other_nodes),
+    (
+        bus.words_of_kinds,
+        bus.modes_of_kinds,
+        bus.cable_motor_in_objects,
+        bus.base_motor_in_objects,
+    ),
+    (bus.currents, bus.torque_limits, bus.homing_in_objects, bus.longest_rails),
+    (bus.heartbeats, bus.sweeps, bus.frames_of_other_nodes),
     (bus.schedulable,),
 )

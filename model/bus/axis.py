@@ -33,11 +33,6 @@ class Axis:
         return DRIVE_KINDS[self.drive.kind]
 
     @property
-    def table(self) -> str:
-        """The machine file's table of its motor."""
-        return "cable_motor" if self.rail is None else "rail_drive"
-
-    @property
     def sense(self) -> int:
         """+1 where the encoder counts up as the position grows, else -1."""
         return 1 if self.drive.direction == "forward" else -1
@@ -55,11 +50,16 @@ class Axis:
     @property
     def most_torque_units(self) -> int:
         """Most units of 6071 within the torque limit, either way."""
-        return math.floor(self.torque_limit / abs(self.torque_per_unit) + ROUNDING)
+        return torque_units(self.torque_limit, abs(self.torque_per_unit))
 
     def increments(self, position: float) -> int:
         """The encoder count nearest to a position [m]."""
         return round(position / self.metres_per_increment)
+
+
+def torque_units(limit: float, unit: float) -> int:
+    """Most units [N m] within a torque limit [N m]."""
+    return math.floor(limit / unit + ROUNDING)
 
 
 def base_drive(rail: int) -> str:

@@ -20,20 +20,6 @@ INVALID, NO_REMOTE = 0x8000_0000, 0x4000_0000
 STAY_OPERATIONAL = 1
 COAST = 0
 
-Key = tuple[str, ...]
-"""Where a value is in a machine file."""
-
-
-@dataclass(frozen=True)
-class Origin:
-    """Where the value of an object comes from; one: what a unit of the object is there."""
-
-    key: Key
-    quantity: float
-    place: Place
-    one: float
-    symbol: str
-
 
 @dataclass(frozen=True)
 class Object:
@@ -48,7 +34,6 @@ class Object:
     value: int
     meaning: str
     of_node: bool = False
-    origin: Origin | None = None
 
     @property
     def unsigned(self) -> int:
@@ -64,37 +49,22 @@ def identity(axis: Axis) -> list[Object]:
         entries.append(Object(0x1018, 2, 4, drive.product, "product"))
     if drive.revision is not None:
         entries.append(Object(0x1018, 3, 4, drive.revision, "revision"))
-    return [*entries, *_motor(axis)]
+    motor = axis.kind.motor.read
+    held = (_held(axis, place, quantity(axis.rating)) for place, quantity in motor)
+    return [*entries, *held]
 
 
-def _motor(axis: Axis) -> Iterator[Object]:
-    motor = axis.kind.motor
-    keys: dict[Place | None, str] = {
-        motor.nominal_current: "nominal_current",
-        motor.torque_constant: "torque_constant",
-        motor.encoder: "encoder_counts",
-    }
-    for place, quantity in motor.read:
-        key = (keys[place],) if place in keys else ()
-        yield _held(axis, place, quantity(axis.rating), (axis.table, "rating", *key))
-
-
-def _held(axis: Axis, place: Place, quantity: float, key: Key, lever: float = 1.0) -> Object:
-    """An object that holds a quantity; of a turning speed [rad/s] the machine file has `lever` [m]
-    times as much [m/s]."""
-    symbol = place.symbol.replace("rad", "m") if lever != 1.0 else place.symbol
-    origin = Origin(key, quantity * lever, place, place.unit(axis.rating) * lever, symbol)
+def _held(axis: Axis, place: Place, quantity: float) -> Object:
+    """An object that holds a quantity."""
     number = place.number(quantity, axis.rating)
-    return Object(place.index, place.subindex, place.size, number, place.meaning, origin=origin)
+    return Object(place.index, place.subindex, place.size, number, place.meaning)
 
 
 def contract(machine: Machine, axis: Axis) -> list[Object]:
     """What the drive is configured to, in the order of writing."""
-    limit = axis.kind.motor.current_limit
-    key = axis.table, "rating", "current_limit"
     written = [
         *_supervision(machine, axis),
-        _held(axis, limit, axis.rating.current_limit, key),
+        _held(axis, axis.kind.motor.current_limit, axis.rating.current_limit),
         *(Object(s.index, s.subindex, s.size, s.value, s.meaning) for s in axis.kind.settings),
         *_pdos(axis),
         *_work(machine, axis),
@@ -184,16 +154,15 @@ def homing(axis: Axis, way: RailHoming, length: float) -> list[Object]:
 def _homing_object(
     axis: Axis, objects: HomingObjects, place: Place, way: RailHoming, stop: float
 ) -> Object:
-    table, radius = (axis.table, "homing"), axis.radius
     if place is objects.threshold:
-        return _held(axis, place, way.current, (*table, "current"))
+        return _held(axis, place, way.current)
     if place is objects.acceleration:
-        return _held(axis, place, way.acceleration / radius, (*table, "acceleration"), radius)
+        return _held(axis, place, way.acceleration / axis.radius)
     if place is objects.home:
-        return _held(axis, place, axis.increments(stop), (*table, "beyond"))
+        return _held(axis, place, axis.increments(stop))
     if place is objects.offset:
-        return _held(axis, place, 0.0, table)
-    return _held(axis, place, way.speed / radius, (*table, "speed"), radius)
+        return _held(axis, place, 0.0)
+    return _held(axis, place, way.speed / axis.radius)
 
 
 def milliseconds(time: float) -> int:
