@@ -5,6 +5,7 @@ from contextlib import suppress
 from typing import Any
 
 from turnbuckle.model import layout
+from turnbuckle.model.bus import kind_rules
 from turnbuckle.model.bus import rules as bus
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.partial import forget
@@ -187,12 +188,17 @@ STAGES = (
     (bus.buses_first, bus.bit_rates, bus.sync_rates, bus.names_and_nodes, bus.drives_on_buses),
     (bus.drives_of_the_machine, bus.positions_of_bases, bus.ratings_given, bus.other_nodes),
     (
-        bus.words_of_kinds,
-        bus.modes_of_kinds,
-        bus.cable_motor_in_objects,
-        bus.base_motor_in_objects,
+        kind_rules.words_of_kinds,
+        kind_rules.modes_of_kinds,
+        kind_rules.cable_motor_in_objects,
+        kind_rules.base_motor_in_objects,
     ),
-    (bus.currents, bus.torque_limits, bus.homing_in_objects, bus.longest_rails),
+    (
+        bus.currents,
+        kind_rules.torque_limits,
+        kind_rules.homing_in_objects,
+        kind_rules.longest_rails,
+    ),
     (bus.heartbeats, bus.sweeps, bus.frames_of_other_nodes),
     (bus.schedulable,),
 )
