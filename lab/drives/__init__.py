@@ -1,4 +1,6 @@
-"""Simulated drives: EPOS4-class servo drives on a simulated CAN bus (CiA 301, CiA 402).
+"""Simulated drives: servo drives of any kind on a simulated CAN bus (CiA 301, CiA 402).
+
+What a kind has of its own is in model/bus/drive_kinds.
 
 objects.py    the object dictionary: what there is, its type, range and default
 node.py       SDO server (python `canopen`) over that dictionary, with the drive's abort codes
