@@ -45,8 +45,8 @@ def numbered(name: str, members: Iterable[str]) -> type[IntEnum]:
     return IntEnum(name, values)  # type: ignore[return-value]
 
 
-State: Any = names("supervisor.h", "TB_STATE_")
-Phase: Any = names("supervisor.h", "TB_PHASE_")
+State: Any = names("cycle.h", "TB_STATE_")
+Phase: Any = names("cycle.h", "TB_PHASE_")
 Cause: Any = numbered("CAUSE", (cause.name for cause in causes()))
 Power: Any = names("drive.h", "TB_POWER_")
 Goal: Any = names("drive.h", "TB_GOAL_")

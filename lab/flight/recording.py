@@ -271,7 +271,7 @@ def cycle_layout(machine: Machine, precision: str) -> Layout:
 
 
 def observation(machine: Machine, precision: str) -> Layout:
-    """tb_observation of runtime/core/supervisor.h."""
+    """tb_observation of runtime/core/cycle.h."""
     real, d = REALS[precision], machine.dof
     report = [
         ("position", real),
@@ -308,7 +308,7 @@ def observation(machine: Machine, precision: str) -> Layout:
 
 
 def orders(machine: Machine, precision: str) -> Layout:
-    """tb_orders of runtime/core/supervisor.h."""
+    """tb_orders of runtime/core/cycle.h."""
     real = REALS[precision]
     order = [
         ("torque", real),

@@ -34,9 +34,9 @@ WRITERS = {
 Column = NDArray[Any]
 Columns = Iterator[tuple[str, Column]]
 
-SUPERVISOR, DRIVE = "core/supervisor.h", "core/drive.h"
+SUPERVISOR, DRIVE = "core/cycle.h", "core/drive.h"
 REQUESTS = {1: "arm", 2: "stop", 4: "reset"}
-"""TB_REQUEST_..., runtime/core/supervisor.h"""
+"""TB_REQUEST_..., runtime/core/cycle.h"""
 
 
 def write_table(recording: Recording, path: Path) -> None:

@@ -11,7 +11,7 @@ STATES = (
     "HARD_STOP",
     "FAULT",
 )
-"""tb_state, runtime/core/supervisor.h"""
+"""tb_state, runtime/core/cycle.h"""
 
 POWERS = (
     "unknown",

@@ -14,7 +14,6 @@
 #include "network.h"
 #include "recorder.h"
 #include "supervisor.h"
-#include "supervisor_memory.h"
 #include "wishes.h"
 
 #ifdef __cplusplus

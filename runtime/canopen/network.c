@@ -62,7 +62,7 @@ static void send(tb_bus *bus, const tb_can_frame *frame)
 
 /* ---- Receiving ---- */
 
-/* What only a master says. */
+/* Frames that only a CANopen master sends. */
 static bool is_from_a_master(uint32_t id)
 {
     static const uint32_t functions[] = {TB_COB_RPDO1, TB_COB_RPDO2, TB_COB_RPDO3, TB_COB_RPDO4,

@@ -14,9 +14,9 @@
 #include <stdint.h>
 
 #include "can.h"
+#include "cycle.h"
 #include "drive_link.h"
 #include "echo.h"
-#include "supervisor.h"
 
 #ifdef __cplusplus
 extern "C" {

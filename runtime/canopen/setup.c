@@ -299,7 +299,7 @@ static void begin(tb_setup *setup)
     } else if (setup->task != TB_TASK_START) {
         begin_object(setup);
     } else {
-        /* START: only a command to send */
+        /* TB_TASK_START has no object to write: tb_setup_frame sends its NMT command */
     }
 }
 

@@ -1,6 +1,7 @@
 #include "drive_orders.h"
 #include "faults.h"
 #include "states.h"
+#include "transition.h"
 
 /* Most that a drive's task can take: every object is written and read, each time the request waits
  * for its turn, then for its answer; some are repeated; it starts, perhaps twice. A task ends by

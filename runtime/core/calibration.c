@@ -10,9 +10,10 @@
 #define STEP_SMALL TB_C(1e-5) /* m, rad; the step after it would be a thousand times smaller */
 #define STEPS 50              /* from anywhere in the target 4 to 8 are needed, turned 17 */
 
-/* Added to the diagonal of the normal matrix, whose least eigenvalue of an observable set is above
- * 1 / 8^2. It stays regular where nothing is observable, by more than float rounds; the answer is
- * the same, but approached a hundred times a step instead of quadratically. */
+/* Damping (Levenberg-Marquardt): added to the diagonal of the normal matrix, so that the matrix stays
+ * regular, in float too, even where nothing is observable. The least eigenvalue of an observable set
+ * is above 1 / 8^2, so the damping is small beside it: the solution stays the same, and each step
+ * reduces the error about a hundredfold instead of quadratically. */
 #define DAMPING TB_C(0.0001)
 
 #define FARTHEST TB_C(1e6) /* m; no drive counts further, and its square is finite in float */

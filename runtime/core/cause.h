@@ -2,9 +2,14 @@
 #ifndef TB_CAUSE_H
 #define TB_CAUSE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "causes.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define TB_CAUSE_NUMBER(name, culprit, reaction, words, advice) TB_CAUSE_##name,
 
@@ -21,5 +26,26 @@ typedef struct {
     uint8_t failure; /* tb_failure of the same */
     uint8_t cause;   /* tb_cause */
 } tb_blame;
+
+/** Nothing went wrong. */
+static inline tb_blame tb_no_blame(void)
+{
+    tb_blame const nothing = {0, 0, 0, 0, 0, TB_CAUSE_NONE};
+    return nothing;
+}
+
+/** Something went wrong: why, with which drive, cable or bus. */
+static inline tb_blame tb_blame_for(tb_cause cause, size_t culprit, uint32_t detail)
+{
+    tb_blame blame = tb_no_blame();
+    blame.cause = (uint8_t)cause;
+    blame.culprit = (uint16_t)culprit;
+    blame.detail = detail;
+    return blame;
+}
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

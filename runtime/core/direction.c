@@ -3,6 +3,7 @@
 #include "drive_orders.h"
 #include "hold.h"
 #include "states.h"
+#include "transition.h"
 
 /* Of a cable: a round is a half in which it is pulled harder, and one in which it is not. */
 #define CABLE_HALF ((uint32_t)(TB_C(0.04) / TB_PERIOD))

@@ -1,7 +1,5 @@
 #include "drive_orders.h"
 
-#include "states.h"
-
 static const tb_drive_memory *memory_of(const tb_supervisor *supervisor, size_t drive)
 {
     return &supervisor->drives[drive];

@@ -1,10 +1,10 @@
 #include "faults.h"
 
 #include "drive_orders.h"
-#include "states.h"
 
-/* A drive's torque lags behind what it was told, and is told filtered: by so much of its limit, for so
- * many cycles in a row, it may be another one. */
+/* The measured torque lags behind the commanded torque, and the drive filters the measurement. The two
+ * may differ by DEAF_SHARE of the drive's torque limit; a larger difference is a fault after
+ * DEAF_CYCLES cycles in a row. */
 #define DEAF_SHARE TB_C(0.125)
 #define DEAF_CYCLES 100u
 

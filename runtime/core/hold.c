@@ -1,7 +1,5 @@
 #include "hold.h"
 
-#include "states.h"
-
 void tb_pull(tb_supervisor *supervisor, size_t cable, real_t tension)
 {
     supervisor->drives[cable].wanted.torque = TB_DRUM_RADIUS * tension;

@@ -1,6 +1,7 @@
 #include "drive_orders.h"
 #include "hold.h"
 #include "states.h"
+#include "transition.h"
 
 /* While slack is wound in, a cable's torque falls with its speed and is gone at the first of these;
  * below the second it is tight, though a carriage that is free may glide towards the platform. */

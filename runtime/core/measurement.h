@@ -1,10 +1,10 @@
-/* Measurement: where cables and bases are in this cycle, from what their drives reported last.
+/* Measurement: the positions of cables and bases in this cycle, from the last reports of their drives.
  *
- * A base drive on a slower bus, or a drive whose answer was missed, tells nothing in some cycles.
- * Its position is then taken to have gone on as between its last two messages; so it is where its
- * answer to a SYNC comes a cycle after it. A message that is
- * further from there than anything can have moved since the last one is a jump: the encoder's, not
- * the machine's. Speed may well grow beyond the limit bit by bit: that is a runaway, no jump. */
+ * In some cycles a drive reports nothing: its bus is slower than the control loop, its answer comes a
+ * cycle after the SYNC, or its answer was missed. The position of that drive is then extrapolated at
+ * the speed between its last two messages. A message further from the extrapolated position than
+ * anything can have moved since the last message is a jump: a fault of the encoder. A speed that grows
+ * beyond its limit from message to message is a runaway, not a jump. */
 #ifndef TB_MEASUREMENT_H
 #define TB_MEASUREMENT_H
 

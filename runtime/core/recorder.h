@@ -22,7 +22,6 @@
 #include <stdint.h>
 
 #include "supervisor.h"
-#include "supervisor_memory.h"
 #include "tb_machine.h"
 
 #ifdef __cplusplus

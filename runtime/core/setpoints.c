@@ -33,7 +33,8 @@ static tb_gate_limits limits_of(const tb_supervisor *supervisor, size_t drive)
     return position_limits(drive, tb_measured_position(&supervisor->measurement, drive));
 }
 
-/* Whatever forbids a drive to follow is a fault too, so that all the others stop with it. */
+/* A drive that may not follow its setpoint is also in one of the faults of faults.c, which stops all
+ * drives. */
 static tb_permission permission_of(const tb_drive_order *wanted, const tb_drive_report *report,
                                    tb_mode working_mode)
 {

@@ -3,32 +3,11 @@
 #ifndef TB_STATES_H
 #define TB_STATES_H
 
-#include <stddef.h>
-
 #include "supervisor_memory.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/** Nothing went wrong. */
-static inline tb_blame tb_no_blame(void)
-{
-    tb_blame const nothing = {0, 0, 0, 0, 0, TB_CAUSE_NONE};
-    return nothing;
-}
-
-static inline tb_blame tb_blame_for(tb_cause cause, size_t culprit, uint32_t detail)
-{
-    tb_blame blame = tb_no_blame();
-    blame.cause = (uint8_t)cause;
-    blame.culprit = (uint16_t)culprit;
-    blame.detail = detail;
-    return blame;
-}
-
-/** Go on to a phase; its first cycle is the next one. */
-void tb_enter(tb_supervisor *supervisor, tb_state state, tb_phase phase);
 
 /* bring_up.c: INIT, IDENTIFY, CONFIGURE */
 tb_blame tb_init(tb_supervisor *supervisor, const tb_observation *seen);

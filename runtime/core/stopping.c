@@ -1,5 +1,6 @@
 #include "drive_orders.h"
 #include "states.h"
+#include "transition.h"
 
 /* Cycles of each of the two ramps of a soft stop. */
 #define RAMP_CYCLES ((uint32_t)TB_STOP_CYCLES / 2)

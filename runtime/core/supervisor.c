@@ -4,21 +4,10 @@
 #include "faults.h"
 #include "setpoints.h"
 #include "states.h"
+#include "transition.h"
 
 static const tb_supervisor empty;
 static const tb_outputs no_outputs;
-
-void tb_enter(tb_supervisor *supervisor, tb_state state, tb_phase phase)
-{
-    supervisor->state = (uint8_t)state;
-    supervisor->complement = (uint8_t) ~(uint8_t)state;
-    supervisor->phase = (uint8_t)phase;
-    supervisor->cycles = 0;
-    supervisor->calm = 0;
-    for (size_t i = 0; i < TB_BUSES; i++) {
-        supervisor->spoiled[i] = 0;
-    }
-}
 
 void tb_supervisor_start(tb_supervisor *supervisor)
 {

@@ -3,11 +3,14 @@
 #ifndef TB_SUPERVISOR_MEMORY_H
 #define TB_SUPERVISOR_MEMORY_H
 
+#include "calibration.h"
 #include "carriage.h"
+#include "cause.h"
+#include "cycle.h"
 #include "direction.h"
 #include "guide.h"
 #include "measurement.h"
-#include "supervisor.h"
+#include "watch.h"
 
 /** What is remembered of a drive. */
 typedef struct {
@@ -21,7 +24,8 @@ typedef struct {
     uint8_t ran;           /* 1 once its homing was seen running */
 } tb_drive_memory;
 
-struct tb_supervisor {
+/** Everything remembered from cycle to cycle. */
+typedef struct {
     uint8_t state;      /* tb_state */
     uint8_t complement; /* its complement, to find damage */
     uint8_t phase;      /* tb_phase */
@@ -43,6 +47,6 @@ struct tb_supervisor {
     tb_controller controller;
     tb_outputs outputs; /* of the controller in this cycle */
     real_t slack[TB_CABLES];
-};
+} tb_supervisor;
 
 #endif

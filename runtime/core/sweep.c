@@ -1,11 +1,15 @@
-/* The sweep that tells the cables' zeros. Bases swing about the middle of their rails, each with a
- * rhythm of its own and none with the platform: that shows the zeros while a hand holds the
- * platform. A platform that nobody holds rests, under equal tensions, where opposite cables are in
- * line, which hides the zeros; so each cable in turn pulls a little more. A machine without rails
- * has only its user: a pose is measured whenever the platform has been moved on. */
+/* The calibration sweep: the motion during which the poses are measured from which the cables' zeros
+ * are computed (calibration.h). Users are told: hold the handle loosely; do not follow the bases.
+ *
+ * Every base swings about the middle of its rail. Neighbouring bases swing at different frequencies,
+ * so that the geometry changes from pose to pose even if the handle stays in one place. A handle
+ * that is not held settles, under equal tensions, where opposite cables are in line; there the zeros
+ * are not observable, so each cable in turn is given some extra tension. On a machine without rails
+ * the user moves the handle around: a pose is measured whenever the handle has moved far enough. */
 #include "drive_orders.h"
 #include "hold.h"
 #include "states.h"
+#include "transition.h"
 
 #define SWEEP_CYCLES ((uint32_t)TB_CALIBRATION_SAMPLES * TB_CALIBRATION_CYCLES)
 #define GATHER_SPEED (TB_RAIL_SPEED_LIMIT * TB_C(0.1))

@@ -1,8 +1,10 @@
-/* States and causes in words, for people. Texts are constant and never end. */
+/* States, phases and causes in words, for people. Every text is constant and lives as long as the
+ * program. */
 #ifndef TB_WORDS_H
 #define TB_WORDS_H
 
-#include "supervisor.h"
+#include "cause.h"
+#include "cycle.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -11,7 +13,7 @@ extern "C" {
 /** What the machine does in a state. */
 const char *tb_state_text(tb_state state);
 
-/** What it does in a phase; empty where the state says it all. */
+/** What the machine does in a phase; empty where the state's text says enough. */
 const char *tb_phase_text(tb_phase phase);
 
 /** What is wrong, to be read after the culprit's name. */

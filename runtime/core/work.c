@@ -1,6 +1,7 @@
 #include "drive_orders.h"
 #include "hold.h"
 #include "states.h"
+#include "transition.h"
 
 #define APPROACH_SPEED (TB_RAIL_SPEED_LIMIT * TB_C(0.1))
 /* How near the bases must be to where the controller wants them before it moves them itself. */

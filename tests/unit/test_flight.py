@@ -498,7 +498,7 @@ def test_a_log_of_another_kind_is_refused(dump: Path, tmp_path: Path) -> None:
 
 
 def test_the_words_are_those_of_the_headers() -> None:
-    assert words("tb_state", "core/supervisor.h")[State.SOFT_STOP] == "soft stop"
+    assert words("tb_state", "core/cycle.h")[State.SOFT_STOP] == "soft stop"
     assert cause_names()[Cause.CABLE_BREAK] == "cable break"
 
 

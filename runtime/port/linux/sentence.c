@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "calibration.h"
 #include "cia402.h"
 #include "cob.h"
 #include "drive_kind.h"

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "supervisor.h"
+#include "cycle.h"
 
 #ifdef __cplusplus
 extern "C" {

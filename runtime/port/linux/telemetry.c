@@ -79,7 +79,8 @@ static void say_foreign(const char *path)
            path);
 }
 
-/* Whoever waits for a program looks whether there is one by a lock of a moment. */
+/* A reader finds out whether the file's program still runs by locking the file for a moment: a lock
+ * that is held is tried again for MOST_NAPS before another program is reported. */
 static bool lock_patiently(int descriptor)
 {
     struct timespec const nap = {.tv_nsec = 1000000};

@@ -27,10 +27,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "can.h"
 #include "atomic_numbers.h"
+#include "can.h"
+#include "cycle.h"
 #include "histogram.h"
-#include "supervisor.h"
 
 #ifdef __cplusplus
 extern "C" {
