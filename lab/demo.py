@@ -13,6 +13,7 @@ from turnbuckle.codegen.bind import Generated, load
 from turnbuckle.codegen.controller import UNCOMPENSATED, Controller
 from turnbuckle.lab.bench import Reals, Recording, run_task
 from turnbuckle.lab.pictures import refuse_foreign_picture
+from turnbuckle.lab.plants import plant_model
 from turnbuckle.lab.summary import Summary, summarise
 from turnbuckle.lab.task import Planner, Task
 from turnbuckle.model.machine import Machine, Plant
@@ -71,24 +72,10 @@ def run_demo(
     return DemoResult(machine, recording, summary, uncompensated, nanoseconds, picture)
 
 
-def _refuse_other_machines(machine: Machine) -> None:
-    """The bench knows points in the plane, straight cables, one carriage a rail."""
-    problem = None
-    if machine.kind != "planar-point":
-        problem = Problem("machine.kind", machine.kind, "planar-point, for the virtual bench")
-    elif any(machine.pulleys):
-        problem = Problem("pulley", "a radius", "none, for the virtual bench")
-    elif any(len(rail.cables) > 1 for rail in machine.rails):
-        problem = Problem("cable", "coupled rails", "a drive a rail, for the virtual bench")
-    elif any(cable.plane for cable in machine.cables):
-        problem = Problem("cable", "a base in a plane", "rails, for the virtual bench")
-    if problem:
-        raise MachineError(machine.path, [problem])
-
-
 def plant_of(machine: Machine) -> Plant:
-    """The physics of a machine; MachineError when its file does not tell enough of it."""
-    _refuse_other_machines(machine)
+    """The physics of a machine; MachineError when its file does not tell enough of it, and for a
+    machine that no plant simulates."""
+    plant_model(machine)
     plant = machine.plant
     if plant is None:
         raise MachineError(

@@ -10,7 +10,7 @@ spring and damper to carry is the device:
 from bisect import bisect_right
 from dataclasses import dataclass
 
-from turnbuckle.lab.strand import Pair
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.machine import Plant
 
 
@@ -21,28 +21,33 @@ def least_jerk(u: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """One movement, from `start` to `end` [m], in `duration` [s] from the time `begin` [s]."""
+    """One movement, from the pose `start` to `end` (d) [m, rad], in `duration` [s] from the time
+    `begin` [s]."""
 
     begin: float
     duration: float
-    start: Pair
-    end: Pair
+    start: Coordinates
+    end: Coordinates
 
-    def at(self, time: float) -> tuple[Pair, Pair, Pair]:
+    def at(self, time: float) -> tuple[Coordinates, Coordinates, Coordinates]:
         """Position [m], velocity [m/s] and acceleration [m/s^2]; at rest outside the leg."""
         u = min(max((time - self.begin) / self.duration, 0.0), 1.0)
         share = least_jerk(u)
         slope = 30.0 * u * u * (1.0 - u) * (1.0 - u) / self.duration
         bend = 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (self.duration * self.duration)
-        (x, y), dx, dy = self.start, self.end[0] - self.start[0], self.end[1] - self.start[1]
-        position = x + share * dx, y + share * dy
-        return position, (slope * dx, slope * dy), (bend * dx, bend * dy)
+        pose, rate, acceleration = [], [], []
+        for start, end in zip(self.start, self.end, strict=True):
+            way = end - start
+            pose.append(start + share * way)
+            rate.append(slope * way)
+            acceleration.append(bend * way)
+        return tuple(pose), tuple(rate), tuple(acceleration)
 
 
 class Path:
     """Movements one after the other; before the first and after the last the hand rests."""
 
-    def __init__(self, start: Pair, rest: float) -> None:
+    def __init__(self, start: Coordinates, rest: float) -> None:
         """Begin at `start` [m] and rest there for `rest` [s]."""
         self._legs = [Leg(0.0, rest, start, start)]
         self._begins = [0.0]
@@ -53,11 +58,11 @@ class Path:
         return self._legs[-1].begin + self._legs[-1].duration
 
     @property
-    def goal(self) -> Pair:
+    def goal(self) -> Coordinates:
         """Where the last movement ends [m]."""
         return self._legs[-1].end
 
-    def move(self, target: Pair, duration: float) -> None:
+    def move(self, target: Coordinates, duration: float) -> None:
         """Then go to `target` [m] in `duration` [s]."""
         begin, start = self.end, self.goal
         self._begins.append(begin)
@@ -67,7 +72,7 @@ class Path:
         """Then stay for `duration` [s]."""
         self.move(self.goal, duration)
 
-    def at(self, time: float) -> tuple[Pair, Pair, Pair]:
+    def at(self, time: float) -> tuple[Coordinates, Coordinates, Coordinates]:
         """Position [m], velocity [m/s] and acceleration [m/s^2] that the hand wants."""
         return self._legs[max(bisect_right(self._begins, time) - 1, 0)].at(time)
 
@@ -100,7 +105,7 @@ class Cue:
         since = 0.0 if self._begun is None else max(0.0, time - self._begun)
         return since % self._path.end if self._repeats else since
 
-    def at(self, time: float) -> tuple[Pair, Pair, Pair]:
+    def at(self, time: float) -> tuple[Coordinates, Coordinates, Coordinates]:
         """Position [m], velocity [m/s] and acceleration [m/s^2] that the hand wants."""
         waits = self._begun is None or time < self._begun
         if waits and self._wandered is not None:
@@ -117,11 +122,13 @@ class Hand:
         self._damping = plant.hand_damping
         self._path = path
 
-    def push(self, time: float, position: Pair, velocity: Pair) -> Pair:
-        """Force of the muscles [N] at `time` [s], with the handle at `position` [m] and moving."""
-        (x, y), (vx, vy), (ax, ay) = self._path.at(time)
+    def push(self, time: float, pose: Coordinates, twist: Coordinates) -> Coordinates:
+        """Force of the muscles [N] at `time` [s], with the handle at `pose` [m] and moving."""
         k, b, m = self._stiffness, self._damping, self.mass
-        return (
-            k * (x - position[0]) + b * (vx - velocity[0]) + m * ax,
-            k * (y - position[1]) + b * (vy - velocity[1]) + m * ay,
+        wanted = self._path.at(time)
+        return tuple(
+            [
+                k * (goal - x) + b * (rate - v) + m * a
+                for goal, rate, a, x, v in zip(*wanted, pose, twist, strict=True)
+            ]
         )

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turnbuckle.lab.hand import Path, least_jerk
-from turnbuckle.lab.strand import Pair
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.machine import Machine, Plant, Wall
 from turnbuckle.model.problem import MachineError, Problem
 
@@ -70,7 +70,7 @@ class Task:
         """The phases in which the hand rests against a wall."""
         return tuple(phase for phase in self.phases if phase.name.startswith("wall "))
 
-    def force(self, time: float) -> Pair:
+    def force(self, time: float) -> Coordinates:
         """Force [N] that the application wants at `time` [s]."""
         turn = self.phase("turn")
         u = (time - turn.begin) / (turn.end - turn.begin)
@@ -111,7 +111,7 @@ class Planner:
         """A phase from `begin` to the end of what is planned so far."""
         self._phases.append(Phase(name, begin, self._path.end))
 
-    def _go(self, target: Pair) -> None:
+    def _go(self, target: Coordinates) -> None:
         self._path.move(target, max(SHORTEST, dist(self._path.goal, target) / MEAN_SPEED))
 
     def _wander(self) -> Path:
@@ -150,7 +150,7 @@ class Planner:
         self._path.move(before, PRESS)
         self._go(self._centre)
 
-    def _possible(self, position: Pair) -> float:
+    def _possible(self, position: Coordinates) -> float:
         """Force [N] to ask for at a position: what is wanted, if the machine has it."""
         return min(self._machine.target.force, float(self._capability(np.array([position]))[0]))
 
@@ -166,22 +166,22 @@ class Planner:
         allowed = "for a run on the bench, a centre inside the wrench-feasible workspace"
         raise MachineError(self._machine.path, [Problem("target.centre", found, allowed)])
 
-    def _target_point(self, share: float, sign: Pair) -> Pair:
+    def _target_point(self, share: float, sign: Coordinates) -> Coordinates:
         (x, y), (width, height) = self._machine.target.centre, self._machine.target.size
         return x + 0.5 * share * sign[0] * width, y + 0.5 * share * sign[1] * height
 
-    def _cleared(self, point: Pair) -> Pair:
+    def _cleared(self, point: Coordinates) -> Coordinates:
         """The point, moved out of the walls."""
         for wall in self._machine.walls:
             point = _moved(point, wall, max(0.0, CLEARANCE - _height(point, wall)))
         return point
 
 
-def _height(point: Pair, wall: Wall) -> float:
+def _height(point: Coordinates, wall: Wall) -> float:
     """Height of a point over the wall [m], negative inside it."""
     return (point[0] - wall.point[0]) * wall.normal[0] + (point[1] - wall.point[1]) * wall.normal[1]
 
 
-def _moved(point: Pair, wall: Wall, distance: float) -> Pair:
+def _moved(point: Coordinates, wall: Wall, distance: float) -> Coordinates:
     """The point moved along the wall's normal [m]."""
     return point[0] + distance * wall.normal[0], point[1] + distance * wall.normal[1]
