@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.controller import Controller, Outputs
-from turnbuckle.lab.hand import Hand
+from turnbuckle.lab.hand import hand_of
 from turnbuckle.lab.plant import SimulatedPlant
 from turnbuckle.lab.plants import simulated_plant
 from turnbuckle.lab.task import Phase, Task
@@ -57,7 +57,7 @@ def run_task(
     """Run a task from standstill; `progress` is told the share that is done."""
     start, _, _ = task.path.at(0.0)
     rails = base_targets(machine, start).tolist()
-    world = simulated_plant(machine, plant, Hand(plant, task.path), start, rails)
+    world = simulated_plant(machine, plant, hand_of(machine, plant, task.path), start, rails)
     inputs = controller.recording(ceil(task.path.end * machine.control.rate))
     inputs["options"] = options
     controller.start(world.lengths, world.rails)

@@ -93,11 +93,11 @@ def plan_task(generated: Generated) -> Task:
     return Planner(generated.machine, plant, partial(capability, generated)).plan()
 
 
-def capability(generated: Generated, positions: Reals) -> Reals:
-    """Force [N] (k) in every direction at positions [m] (k, 2), bases where they belong."""
+def capability(generated: Generated, poses: Reals) -> Reals:
+    """Force [N] (k) in every direction at poses (k, d) [m, rad], bases where they belong."""
     machine = generated.machine
-    rails = base_targets(machine, positions)
-    forces = generated.isotropic_force(positions, rails)
+    rails = base_targets(machine, poses)
+    forces = generated.isotropic_force(poses, rails)
     return np.where(forces.status == 0, np.asarray(forces), 0.0)
 
 
@@ -139,13 +139,18 @@ def timing(nanoseconds: NDArray[np.int64]) -> dict[str, float]:
 ROWS = [
     ("moving freely: handle off the hand's path, rms", "mm", 1e3, "tour_error"),
     ("moving freely: force felt by the hand, rms", "N", 1.0, "tour_force"),
+    ("moving freely: handle turned off the hand's path, rms", "mrad", 1e3, "tour_turn"),
+    ("moving freely: moment felt by the hand, rms", "mN m", 1e3, "tour_moment"),
     ("turning force: delivered minus wanted, rms", "N", 1.0, "turn_error"),
+    ("turning moment: delivered minus wanted, rms", "mN m", 1e3, "moment_error"),
     ("at the walls: delivered minus wanted, rms", "N", 1.0, "wall_error"),
     ("deepest in a wall", "mm", 1e3, "penetration"),
     ("lowest tension", "N", 1.0, "lowest_tension"),
     ("highest tension", "N", 1.0, "highest_tension"),
     ("base furthest from its target", "mm", 1e3, "base_lag"),
-    ("largest error of the computed pose", "µm", 1e6, "pose_error"),
+    ("largest error of the computed position", "µm", 1e6, "pose_error"),
+    ("largest error of the computed rotation", "µrad", 1e6, "rotation_error"),
+    ("cycles with a slack cable", "", 1.0, "slack"),
     ("cycles that wanted more force than there is", "", 1.0, "infeasible"),
     ("failed cycles", "", 1.0, "failed"),
 ]

@@ -10,8 +10,10 @@ spring and damper to carry is the device:
 from bisect import bisect_right
 from dataclasses import dataclass
 
+from turnbuckle.lab import turning
+from turnbuckle.lab.plant import Holder
 from turnbuckle.model.base import Coordinates
-from turnbuckle.model.machine import Plant
+from turnbuckle.model.machine import Machine, Plant
 
 
 def least_jerk(u: float) -> float:
@@ -132,3 +134,43 @@ class Hand:
                 for goal, rate, a, x, v in zip(*wanted, pose, twist, strict=True)
             ]
         )
+
+
+class Grip:
+    """A hand around a platform that turns: spring, damper and mass of a Hand act at its lever.
+
+    The torsional spring leads along the shortest turn to the one that is wanted.
+    """
+
+    def __init__(self, machine: Machine, plant: Plant, path: Path | Cue) -> None:
+        self.mass = plant.hand_mass
+        self._space, self._square = machine.space, machine.lever**2
+        self._stiffness, self._damping = plant.hand_stiffness, plant.hand_damping
+        self._path = path
+
+    def push(self, time: float, pose: Coordinates, twist: Coordinates) -> Coordinates:
+        """Wrench of the muscles [N, N m] at `time` [s], with the handle at `pose` and moving."""
+        goal, rate, acceleration = self._path.at(time)
+        space, k, b, m = self._space, self._stiffness, self._damping, self.mass
+        way = [end - x for end, x in zip(goal[:space], pose[:space], strict=True)]
+        way += self._turn_to(goal[space:], pose[space:])
+        wanted = (*rate[:space], *self._spin(goal[space:], rate[space:]))
+        wrench = [
+            k * distance + b * (speed - v) + m * a
+            for distance, speed, v, a in zip(way, wanted, twist, acceleration, strict=True)
+        ]
+        return (*wrench[:space], *(self._square * moment for moment in wrench[space:]))
+
+    @staticmethod
+    def _turn_to(goal: Coordinates, turns: Coordinates) -> Coordinates:
+        here, there = (turning.from_vector(turning.in_space(each)) for each in (turns, goal))
+        return turning.between(here, there)[-len(turns) :]
+
+    @staticmethod
+    def _spin(turns: Coordinates, rate: Coordinates) -> Coordinates:
+        return turning.spin(turning.in_space(turns), turning.in_space(rate))[-len(turns) :]
+
+
+def hand_of(machine: Machine, plant: Plant, path: Path | Cue) -> Holder:
+    """The hand on a machine's handle."""
+    return Grip(machine, plant, path) if machine.is_rigid else Hand(plant, path)

@@ -12,7 +12,7 @@ from turnbuckle.lab.drives.bus import SimulatedBus
 from turnbuckle.lab.drives.drive import Drive
 from turnbuckle.lab.drives.setup import Identity, Ratings, Setup
 from turnbuckle.lab.drives.wire import Conditions, wires
-from turnbuckle.lab.hand import Cue, Hand
+from turnbuckle.lab.hand import Cue, hand_of
 from turnbuckle.lab.led_platform import LedPlatform
 from turnbuckle.lab.plant import SimulatedPlant
 from turnbuckle.lab.plants import simulated_plant
@@ -76,7 +76,7 @@ class SimulatedMachine:
             return LedPlatform(machine)
         self._cue = Cue(self.task.path, self.task.round_trip)
         start = self.task.path.at(0.0)[0]
-        return simulated_plant(machine, plant, Hand(plant, self._cue), start, rails)
+        return simulated_plant(machine, plant, hand_of(machine, plant, self._cue), start, rails)
 
     @property
     def plant(self) -> SimulatedPlant:

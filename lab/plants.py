@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from turnbuckle.lab import planar_plant
+from turnbuckle.lab import planar_plant, platform_plant
 from turnbuckle.lab.plant import Holder, SimulatedPlant
 from turnbuckle.model.machine import Machine, Plant
 from turnbuckle.model.problem import MachineError, Problem
@@ -20,6 +20,7 @@ class PlantModel(NamedTuple):
 
 PLANTS: list[PlantModel] = [
     PlantModel(planar_plant.refusal, planar_plant.PlanarPlant),
+    PlantModel(platform_plant.refusal, platform_plant.PlatformPlant),
 ]
 """The fastest first: the first that does not refuse a machine simulates it."""
 
