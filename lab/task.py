@@ -164,7 +164,7 @@ class Planner:
         """Corner by corner, not as far as the tour; a platform that turns, to ever other poses."""
         path = Path(self._centre, rest=0.0)
         if self._turns:
-            lead = wandering(self._machine)
+            lead = wandering(self._machine, WANDERED)
             poses = [tuple(lead(SHORTEST * leg).tolist()) for leg in range(1, WANDERING)]
         else:
             share = WANDERED * self._reachable_share()
