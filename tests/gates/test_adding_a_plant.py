@@ -55,5 +55,5 @@ def test_the_plant_of_the_page_is_run_by_the_bench_once_it_is_listed() -> None:
 
 def test_the_page_names_every_plant_there_is() -> None:
     for model in plants.PLANTS:
-        name, module = model.make.__name__, model.make.__module__.rpartition(".")[2]  # type: ignore[attr-defined]
+        name, module = model.make.__name__, model.make.__module__.rpartition(".")[2]
         assert f"`{name}` | `lab/{module}.py`" in PAGE
