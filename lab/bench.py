@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.controller import Controller, Outputs
-from turnbuckle.lab.hand import Hand
-from turnbuckle.lab.plant import PlanarPlant
+from turnbuckle.lab.hand import hand_of
+from turnbuckle.lab.plant import SimulatedPlant
+from turnbuckle.lab.plants import simulated_plant
 from turnbuckle.lab.task import Phase, Task
 from turnbuckle.model.machine import Machine, Plant
 from turnbuckle.model.reference.control import base_targets
@@ -56,7 +57,7 @@ def run_task(
     """Run a task from standstill; `progress` is told the share that is done."""
     start, _, _ = task.path.at(0.0)
     rails = base_targets(machine, start).tolist()
-    world = PlanarPlant(machine, plant, Hand(plant, task.path), start, rails)
+    world = simulated_plant(machine, plant, hand_of(machine, plant, task.path), start, rails)
     inputs = controller.recording(ceil(task.path.end * machine.control.rate))
     inputs["options"] = options
     controller.start(world.lengths, world.rails)
@@ -76,7 +77,7 @@ def run_task(
     return Recording(task=task, inputs=inputs, outputs=joined, **columns)
 
 
-def _look(world: PlanarPlant, task: Task) -> dict[str, Any]:
+def _look(world: SimulatedPlant, task: Task) -> dict[str, Any]:
     return {
         "time": world.time,
         "path": task.path.at(world.time)[0],
@@ -90,7 +91,7 @@ def _look(world: PlanarPlant, task: Task) -> dict[str, Any]:
     }
 
 
-def _measure(world: PlanarPlant, task: Task, measured: np.void) -> None:
+def _measure(world: SimulatedPlant, task: Task, measured: np.void) -> None:
     """What the sensors and the application tell the controller."""
     rails = world.rails
     measured["lengths"] = world.lengths

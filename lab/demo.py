@@ -13,6 +13,7 @@ from turnbuckle.codegen.bind import Generated, load
 from turnbuckle.codegen.controller import UNCOMPENSATED, Controller
 from turnbuckle.lab.bench import Reals, Recording, run_task
 from turnbuckle.lab.pictures import refuse_foreign_picture
+from turnbuckle.lab.plants import plant_model
 from turnbuckle.lab.summary import Summary, summarise
 from turnbuckle.lab.task import Planner, Task
 from turnbuckle.model.machine import Machine, Plant
@@ -71,24 +72,10 @@ def run_demo(
     return DemoResult(machine, recording, summary, uncompensated, nanoseconds, picture)
 
 
-def _refuse_other_machines(machine: Machine) -> None:
-    """The bench knows points in the plane, straight cables, one carriage a rail."""
-    problem = None
-    if machine.kind != "planar-point":
-        problem = Problem("machine.kind", machine.kind, "planar-point, for the virtual bench")
-    elif any(machine.pulleys):
-        problem = Problem("pulley", "a radius", "none, for the virtual bench")
-    elif any(len(rail.cables) > 1 for rail in machine.rails):
-        problem = Problem("cable", "coupled rails", "a drive a rail, for the virtual bench")
-    elif any(cable.plane for cable in machine.cables):
-        problem = Problem("cable", "a base in a plane", "rails, for the virtual bench")
-    if problem:
-        raise MachineError(machine.path, [problem])
-
-
 def plant_of(machine: Machine) -> Plant:
-    """The physics of a machine; MachineError when its file does not tell enough of it."""
-    _refuse_other_machines(machine)
+    """The physics of a machine; MachineError when its file does not tell enough of it, and for a
+    machine that no plant simulates."""
+    plant_model(machine)
     plant = machine.plant
     if plant is None:
         raise MachineError(
@@ -106,11 +93,11 @@ def plan_task(generated: Generated) -> Task:
     return Planner(generated.machine, plant, partial(capability, generated)).plan()
 
 
-def capability(generated: Generated, positions: Reals) -> Reals:
-    """Force [N] (k) in every direction at positions [m] (k, 2), bases where they belong."""
+def capability(generated: Generated, poses: Reals) -> Reals:
+    """Force [N] (k) in every direction at poses (k, d) [m, rad], bases where they belong."""
     machine = generated.machine
-    rails = base_targets(machine, positions)
-    forces = generated.isotropic_force(positions, rails)
+    rails = base_targets(machine, poses)
+    forces = generated.isotropic_force(poses, rails)
     return np.where(forces.status == 0, np.asarray(forces), 0.0)
 
 
@@ -152,13 +139,18 @@ def timing(nanoseconds: NDArray[np.int64]) -> dict[str, float]:
 ROWS = [
     ("moving freely: handle off the hand's path, rms", "mm", 1e3, "tour_error"),
     ("moving freely: force felt by the hand, rms", "N", 1.0, "tour_force"),
+    ("moving freely: handle turned off the hand's path, rms", "mrad", 1e3, "tour_turn"),
+    ("moving freely: moment felt by the hand, rms", "mN m", 1e3, "tour_moment"),
     ("turning force: delivered minus wanted, rms", "N", 1.0, "turn_error"),
+    ("turning moment: delivered minus wanted, rms", "mN m", 1e3, "moment_error"),
     ("at the walls: delivered minus wanted, rms", "N", 1.0, "wall_error"),
     ("deepest in a wall", "mm", 1e3, "penetration"),
     ("lowest tension", "N", 1.0, "lowest_tension"),
     ("highest tension", "N", 1.0, "highest_tension"),
     ("base furthest from its target", "mm", 1e3, "base_lag"),
-    ("largest error of the computed pose", "µm", 1e6, "pose_error"),
+    ("largest error of the computed position", "µm", 1e6, "pose_error"),
+    ("largest error of the computed rotation", "µrad", 1e6, "rotation_error"),
+    ("cycles with a slack cable", "", 1.0, "slack"),
     ("cycles that wanted more force than there is", "", 1.0, "infeasible"),
     ("failed cycles", "", 1.0, "failed"),
 ]

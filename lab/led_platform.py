@@ -19,11 +19,12 @@ RHYTHMS = (0.23, 0.31, 0.41, 0.17, 0.29, 0.37)
 """Frequencies of the coordinates [Hz]; no two poses of a path are the same for long."""
 
 
-def wandering(machine: Machine) -> Callable[[float], np.ndarray]:
-    """A path through the target: pose (d) [m, rad] at a time [s], at rest in the centre at 0."""
+def wandering(machine: Machine, share: float = SHARE) -> Callable[[float], np.ndarray]:
+    """A path through a share of the target: pose (d) [m, rad] at a time [s], at rest in the centre
+    at 0."""
     target, turns = machine.target, machine.dof - machine.space
-    reach = [SHARE / 2 * size for size in target.size]
-    reach += [SHARE * (target.rotation or 0.0) / turns**0.5] * turns
+    reach = [share / 2 * size for size in target.size]
+    reach += [share * (target.rotation or 0.0) / turns**0.5] * turns
     centre = np.array([*target.centre, *[0.0] * turns])
 
     def at(time: float) -> np.ndarray:

@@ -18,7 +18,7 @@ from turnbuckle.codegen.bind import REALS, Generated, pointer
 from turnbuckle.codegen.compile import compile_library
 from turnbuckle.lab.drives.node import Frame
 from turnbuckle.lab.machine_sim import SimulatedMachine
-from turnbuckle.lab.strand import Pair
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.bus.plan import compute_phase, loads, timing
 from turnbuckle.places import RUNTIME
 
@@ -84,9 +84,9 @@ class Lockstep:
         self.cycles = 0
         self.requests = Request(0)
         """What is asked of the supervisor; stands until it is changed."""
-        self.force: Pair | None = None
+        self.force: Coordinates | None = None
         """Force [N] that the application wants; without one the task's."""
-        self.hand_force: Pair | None = None
+        self.hand_force: Coordinates | None = None
         """What the force sensor says [N]; without one the truth."""
         self.hand_force_fresh = True
         self.taps: list[Tap] = []

@@ -12,11 +12,12 @@ from turnbuckle.lab.drives.bus import SimulatedBus
 from turnbuckle.lab.drives.drive import Drive
 from turnbuckle.lab.drives.setup import Identity, Ratings, Setup
 from turnbuckle.lab.drives.wire import Conditions, wires
-from turnbuckle.lab.hand import Cue, Hand
+from turnbuckle.lab.hand import Cue, hand_of
 from turnbuckle.lab.led_platform import LedPlatform
-from turnbuckle.lab.plant import PlanarPlant
-from turnbuckle.lab.strand import Pair
+from turnbuckle.lab.plant import SimulatedPlant
+from turnbuckle.lab.plants import simulated_plant
 from turnbuckle.lab.task import Task
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.bus.axis import Axis, axes
 from turnbuckle.model.machine import Machine, Plant
 from turnbuckle.model.problem import MachineError, Problem
@@ -70,17 +71,17 @@ class SimulatedMachine:
 
     def _make_world(
         self, machine: Machine, plant: Plant | None, rails: Sequence[float]
-    ) -> PlanarPlant | LedPlatform:
+    ) -> SimulatedPlant | LedPlatform:
         if plant is None or self.task is None:
             return LedPlatform(machine)
         self._cue = Cue(self.task.path, self.task.round_trip)
         start = self.task.path.at(0.0)[0]
-        return PlanarPlant(machine, plant, Hand(plant, self._cue), start, rails)
+        return simulated_plant(machine, plant, hand_of(machine, plant, self._cue), start, rails)
 
     @property
-    def plant(self) -> PlanarPlant:
+    def plant(self) -> SimulatedPlant:
         """The physics of a machine that has a plant."""
-        assert isinstance(self.world, PlanarPlant)
+        assert not isinstance(self.world, LedPlatform)
         return self.world
 
     def wander(self) -> None:
@@ -98,15 +99,15 @@ class SimulatedMachine:
             self._cue.begin(self.world.time, repeat)
 
     @property
-    def task_force(self) -> tuple[float, ...]:
+    def task_force(self) -> Coordinates:
         """Force (d) [N, N m] that the application wants now."""
         if self.task is None or self._cue is None:
             return (0.0,) * self._dof
         return self.task.force(self._cue.elapsed(self.world.time))
 
     @property
-    def hand_goal(self) -> Pair:
-        """Where the hand wants the handle of a planar machine now [m]."""
+    def hand_goal(self) -> Coordinates:
+        """Where the hand wants the handle of a machine with a plant now: pose (d) [m, rad]."""
         assert self._cue is not None
         return self._cue.at(self.world.time)[0]
 

@@ -212,11 +212,11 @@ def _rail(machine: Machine, motion: BaseMotion, plant: Plant) -> Rail:
         return Rail((x, y), (0.0, 0.0), first=0.0, last=0.0, mobility=0.0)
     assert plant.carriage_mass is not None  # a machine file with rails states it
     ((number, (ex, ey)),) = motion.travel
-    first, last = _stops(machine, machine.rails[number].length)
+    first, last = stops(machine, machine.rails[number].length)
     return Rail((x, y), (ex, ey), first, last, 1.0 / plant.carriage_mass)
 
 
-def _stops(machine: Machine, length: float) -> tuple[float, float]:
+def stops(machine: Machine, length: float) -> tuple[float, float]:
     """Where a carriage meets its stops [m]: at the rail's ends, or beyond that of the homing."""
     homing = machine.rail_drive.homing if machine.rail_drive else None
     if homing is None:

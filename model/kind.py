@@ -1,6 +1,13 @@
-"""The platform kinds a machine file may name; a new kind is one new entry here."""
+"""The platform kinds a machine file may name; a new kind is one new entry here.
+
+What the model needs to know of a kind follows from its dimensions: it asks for `space` and
+`is_rigid`, never for a name.
+"""
 
 from dataclasses import dataclass
+
+TURNS = {2: 1, 3: 3}
+"""Axes about which a body turns, by the dimension of its space."""
 
 
 @dataclass(frozen=True)
@@ -10,6 +17,15 @@ class Kind:
     dof: int
     space: int
     meaning: str
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for dimensions that the model has no rotations for."""
+        rotations = TURNS.get(self.space, 0)
+        if self.space not in TURNS or self.dof not in (self.space, self.space + rotations):
+            raise ValueError(
+                f"found {self.dof} degrees of freedom in a space of dimension {self.space};"
+                " allowed: a space of 2 or 3, with no rotation or with all that there are"
+            )
 
     @property
     def is_rigid(self) -> bool:

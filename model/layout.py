@@ -265,7 +265,7 @@ def target_in_the_frame(machine: Machine, tables: Tables) -> Found:
 def cables_span(machine: Machine, tables: Tables) -> Found:
     """Somewhere in the target the cables pull in all directions that the platform can move."""
     if all(_rank(machine, pose) < machine.dof for pose in _target_samples(machine)):
-        plain = machine.kind == "planar-point"
+        plain = machine.dof == 2
         found = "parallel" if plain else f"pulling in fewer than {machine.dof} directions"
         yield Problem(
             "cable",

@@ -12,8 +12,8 @@ from peer_drives import Frame as PeerFrame
 from turnbuckle.lab.drives.node import Frame
 from turnbuckle.lab.hand import Cue, Hand
 from turnbuckle.lab.hand import Path as HandPath
-from turnbuckle.lab.plant import PlanarPlant
-from turnbuckle.lab.strand import Pair
+from turnbuckle.lab.planar_plant import PlanarPlant
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.bus.axis import Axis, axes
 from turnbuckle.model.machine import Machine
 
@@ -121,12 +121,12 @@ class PeerMachine:
         return self.peer.now * NANO
 
     @property
-    def task_force(self) -> Pair:
+    def task_force(self) -> Coordinates:
         """The application wants none."""
         return 0.0, 0.0
 
     @property
-    def hand_goal(self) -> Pair:
+    def hand_goal(self) -> Coordinates:
         """Where the hand wants the handle now [m]."""
         return self._cue.at(self.world.time)[0]
 

@@ -17,7 +17,8 @@ from turnbuckle.model.workspace.summary import wanted_turns
 Progress = Callable[[str, float], None]
 
 AXES = "xyz"
-CELLS = {"planar-point": 180, "planar-rigid": 150, "spatial-point": 80, "spatial-rigid": 32}
+CELLS = {(2, False): 180, (2, True): 150, (3, False): 80, (3, True): 32}
+"""Along the longest side, by the dimension of the space and whether the platform turns."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ class LagPanel:
 
 def slices(machine: Machine) -> list[Slice]:
     """xy; in space xz and yz as well: near-square cells over the whole frame."""
-    size, most = machine.frame.size, CELLS[machine.kind]
+    size, most = machine.frame.size, CELLS[machine.space, machine.is_rigid]
     cell = max(size) / most
     counts = [max(1, round(side / cell)) for side in size]
     middles = [(np.arange(n) + 0.5) * side / n for side, n in zip(size, counts, strict=True)]

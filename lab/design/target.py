@@ -14,8 +14,9 @@ from turnbuckle.model.workspace.grid import target_grid
 from turnbuckle.model.workspace.rows import Array
 from turnbuckle.model.workspace.structures import structures, target_demand
 
-POSES_PER_SIDE = {"planar-point": 21, "planar-rigid": 21, "spatial-point": 9, "spatial-rigid": 5}
-"""So that a machine takes milliseconds; some 0.1 s where it turns in space."""
+POSES_PER_SIDE = {(2, False): 21, (2, True): 21, (3, False): 9, (3, True): 5}
+"""By the dimension of the space and whether the platform turns, so that a machine takes
+milliseconds; some 0.1 s where it turns in space."""
 ROTATIONS = 3
 """About every axis, where the target asks for rotation: least, none and largest."""
 
@@ -38,7 +39,7 @@ def needed_tension(machine: Machine) -> Array:
 
 def target_poses(machine: Machine) -> Array:
     """The grid of poses (k, d), positions [m] then rotations [rad]."""
-    counts = [POSES_PER_SIDE[machine.kind]] * machine.space
+    counts = [POSES_PER_SIDE[machine.space, machine.is_rigid]] * machine.space
     return target_grid(machine, counts, ROTATIONS if machine.target.rotation else 1).poses()
 
 

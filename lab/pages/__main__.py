@@ -25,6 +25,7 @@ DEVELOPMENT = {
     "Architecture": "architecture.md",
     "Adding a kind": "adding-a-kind.md",
     "Adding a kind of drive": "adding-a-drive.md",
+    "Adding a plant": "adding-a-plant.md",
     "Contributing": "contributing.md",
     "Changelog": "changelog.md",
     "Licence": "licence.md",

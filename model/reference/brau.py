@@ -204,7 +204,7 @@ def _angles(structure: Array) -> Array:
 
 def _gaps(machine: Machine, structure: Array) -> Array:
     """Angle (..., n) [rad] from every cable, counter-clockwise in order, to the next one."""
-    if machine.kind != "planar-point":
+    if machine.is_rigid or machine.space != 2:
         raise ValueError(
             f"Brau eqs 14, 17, 21 are for planar-point; {machine.name} is {machine.kind}"
         )
@@ -227,7 +227,7 @@ def _tension_over_gap(gap: Array, force: float) -> Array:
 
 def _tetrahedra(machine: Machine, structure: Array) -> tuple[Array, Array]:
     """(u_i, u_j, u_k) (..., 4) of the faces; |u_j x u_k| (..., 4, 4) of face and cable i, or 0."""
-    if machine.kind != "spatial-point" or len(machine.cables) != 4:
+    if machine.is_rigid or machine.space != 3 or len(machine.cables) != 4:
         raise ValueError(
             f"Brau eqs 18, 19, 23 are for spatial-point with 4 cables;"
             f" {machine.name} is {machine.kind} with {len(machine.cables)}"

@@ -150,7 +150,7 @@ def rotation_jacobian(machine: Machine, pose: Array) -> Array:
     """Twist of the platform (..., d, d) over the rate of its pose (..., d)."""
     jacobian = np.zeros((*pose.shape, machine.dof), pose.dtype)
     jacobian[...] = np.eye(machine.dof, dtype=pose.dtype)
-    if machine.kind == "spatial-rigid":
+    if machine.is_rigid and machine.space == 3:
         jacobian[..., 3:, 3:] = twist_of_vector(pose[..., 3:])
     return jacobian
 

@@ -73,7 +73,7 @@ def isotropic_force_eq17(machine: Machine, pose: npt.ArrayLike, rails: npt.Array
     t_i = T_max - T0_i; the result is the smallest radius that fits them all. ValueError for kinds
     other than planar-point, whose cables have no such order.
     """
-    if machine.kind != "planar-point":
+    if machine.is_rigid or machine.space != 2:
         raise ValueError(f"Yoon eq. 17 is for planar-point; {machine.name} is {machine.kind}")
     structure = structure_matrix(machine, pose, rails)
     gain = machine.tension.max - _zero_wrench_tension(machine, structure)

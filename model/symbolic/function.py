@@ -27,9 +27,9 @@ EPSILON = ca.SX.sym("TB_EPSILON")
 class Input:
     """An argument: `shape` entries in `unit` that the function refuses outside their bounds.
 
-    Entry k lies within [low, high] of k; where `bounds_sum`, the magnitudes add up to at most
-    high[0] instead: one comparison. An argument that is not `guarded` is judged by the results it
-    leads to, as `finite_results` does.
+    Entry k must lie in [low[k], high[k]]; with `bounds_sum` the sum of all magnitudes must not
+    exceed high[0] instead, which takes one comparison. Where `guarded` is false no entry is
+    compared: `finite_results` refuses the argument if it leads to results that are not finite.
     """
 
     name: str

@@ -74,7 +74,7 @@ def theoretical_share(machine: Machine) -> float:
 def tension_capable(machine: Machine) -> CapableRegion | None:
     """The TCW of a planar point with three or four fixed pulleys at corners, and T_min = 0."""
     fixed = not machine.rails and not any(machine.pulleys)
-    if machine.kind != "planar-point" or not fixed or machine.tension.min > 0:
+    if machine.is_rigid or machine.space != 2 or not fixed or machine.tension.min > 0:
         return None
     pulleys = [motion.start for motion in machine.base_motions]
     try:

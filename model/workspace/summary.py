@@ -19,12 +19,8 @@ from turnbuckle.model.workspace.quality import (
 )
 from turnbuckle.model.workspace.rows import Array
 
-PER_LONGEST_SIDE = {
-    "planar-point": 101,
-    "planar-rigid": 61,
-    "spatial-point": 21,
-    "spatial-rigid": 9,
-}
+# Poses along the longest side, by the dimension of the space and whether the platform turns.
+PER_LONGEST_SIDE = {(2, False): 101, (2, True): 61, (3, False): 21, (3, True): 9}
 TURNS = {2: 5, 3: 3}  # angles about every axis, by the dimension of the space
 COARSE_COUNTS = [*((count, 3) for count in range(21, 2, -2)), (2, 2)]  # poses a side, angles
 COARSE_FACETS = 1 << 18  # of all poses together: a quarter of a second
@@ -90,7 +86,7 @@ class TargetSummary:
 
 def fine_grid(machine: Machine) -> Grid:
     """The grid of the summary: near-square cells over the target, border and corners included."""
-    cells = PER_LONGEST_SIDE[machine.kind] - 1
+    cells = PER_LONGEST_SIDE[machine.space, machine.is_rigid] - 1
     longest = max(machine.target.size)
     counts = [max(2, round(cells * side / longest) + 1) for side in machine.target.size]
     return target_grid(machine, counts, wanted_turns(machine))

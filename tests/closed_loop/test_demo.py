@@ -4,6 +4,7 @@ import io
 import shutil
 import struct
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +13,16 @@ import pytest
 import variants
 from rich.console import Console
 
-from turnbuckle.codegen.bind import load
+from turnbuckle.codegen.bind import Generated, load
 from turnbuckle.codegen.controller import RUNTIME_CORE, STEP, Controller
 from turnbuckle.lab.bench import run_task
 from turnbuckle.lab.demo import DemoResult, plan_task, plant_of, run_demo, summary_table
+from turnbuckle.lab.hand import Path as Way
+from turnbuckle.lab.plots import draw
+from turnbuckle.lab.summary import summarise
+from turnbuckle.lab.task import TENSIONING, TURN, Phase, Task
 from turnbuckle.model.problem import MachineError
+from turnbuckle.model.reading import load_machine
 
 
 def demo(tables: dict[str, Any], folder: Path) -> DemoResult:
@@ -88,6 +94,54 @@ def test_a_machine_of_fixed_bases_runs_where_its_cables_can_hold_it(
     text = as_text(result)
     assert "of the target about its centre" in text
     assert "wall" not in text and "base" not in text and "observer" not in text
+
+
+STOCK = sorted((variants.ROOT / "machines").glob("*.toml"))
+
+
+@pytest.mark.parametrize("path", STOCK, ids=lambda path: path.stem)
+def test_every_stock_machine_has_a_plant_but_those_of_a_paper_without_hardware(path: Path) -> None:
+    machine = load_machine(path)
+    if not path.stem.startswith("brau"):
+        assert plant_of(machine) is machine.plant
+        return
+    with pytest.raises(MachineError, match=r"plant: found nothing; allowed: a table \[plant\]"):
+        plant_of(machine)
+
+
+def shortened(task: Task, turns: int) -> Task:
+    """A task like it that lasts two seconds: a way through the target, then a moment."""
+    start, corner = task.path.at(0.0)[0], task.path.at(2.5)[0]
+    path = Way(start, rest=TENSIONING)
+    for target in ((*corner[:3], 0.1, -0.1, 0.05), start):
+        path.move(target, 0.6)
+    tour = Phase("tour", TENSIONING, path.end)
+    begin = path.end - TURN * turns  # so that the last turn begins where the tour ends
+    path.rest(0.5)
+    return replace(task, path=path, phases=(tour, Phase("turn", begin, begin + TURN * (turns + 1))))
+
+
+def test_a_platform_that_turns_in_space_feels_the_moment_that_is_wanted(tmp_path: Path) -> None:
+    machine = load_machine(variants.ROOT / "machines" / "spidar_g.toml")
+    generated = Generated(machine, variants.ROOT / "generated" / "spidar_g", "double")
+    whole = plan_task(generated)
+    assert whole.phase("turn").end - whole.phase("turn").begin == pytest.approx(6 * TURN)
+    task = shortened(whole, 3)
+    found = run_task(machine, plant_of(machine), Controller(generated), task)
+    summary = summarise(machine, found)
+    assert (summary.failed, summary.infeasible, summary.slack) == (0, 0, 0)
+    assert summary.rotation_error is not None and summary.rotation_error < 1e-9
+    assert summary.tour_turn is not None and 1e-3 < summary.tour_turn < 0.05
+    assert np.ptp(found.position[:, 3]) > 0.08
+    last = found.time > task.path.end - 0.1
+    wanted, felt = found.outputs.wanted_force[last, 3], found.cable_force[last, 3]
+    assert wanted.mean() == pytest.approx(task.turning_moment, rel=0.05)
+    assert felt.mean() == pytest.approx(wanted.mean(), rel=0.35)
+    assert np.abs(found.cable_force[last][:, 4:]).max() < 0.3 * wanted.mean()
+    picture = tmp_path / "picture.png"
+    shown = replace(task, phases=(task.phase("tour"), Phase("turn", 0.0, 6 * TURN)))
+    draw(machine, replace(found, task=shown), picture)
+    assert png_size(picture) == (1600, 1000)
 
 
 def test_fixed_bases_and_walls_and_an_observer_go_together(tmp_path: Path) -> None:

@@ -7,8 +7,9 @@ import pytest
 from variants import STOCK
 
 from turnbuckle.lab.hand import Hand, Path
-from turnbuckle.lab.plant import PlanarPlant
+from turnbuckle.lab.planar_plant import PlanarPlant
 from turnbuckle.lab.strand import PRESLIDING, Friction, Pair
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.machine import Machine, Plant
 from turnbuckle.model.reading import load_machine
 
@@ -23,7 +24,7 @@ class Push:
     def __init__(self, force: Pair) -> None:
         self._force = force
 
-    def push(self, time: float, position: Pair, velocity: Pair) -> Pair:
+    def push(self, time: float, pose: Coordinates, twist: Coordinates) -> Coordinates:
         """The force [N]."""
         return self._force
 

@@ -1,17 +1,21 @@
 """What the bench asks of a machine: only what it can do, and a word about the rest."""
 
+from collections.abc import Sequence
 from math import dist
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from variants import STOCK
+from variants import ROOT, STOCK
 
+from turnbuckle.lab.led_platform import wandering
 from turnbuckle.lab.summary import penetration
 from turnbuckle.lab.task import CLEARANCE, RESERVE, SHARE, Capability, Planner, Task
+from turnbuckle.model.base import Coordinates
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.problem import MachineError
 from turnbuckle.model.reading import load_machine
+from turnbuckle.model.reference.kinematics import length_jacobian
 
 
 @pytest.fixture
@@ -107,3 +111,39 @@ def test_the_applications_force_turns_once_around_and_starts_softly(machine: Mac
 def test_a_machine_that_cannot_hold_its_centre_is_refused(machine: Machine) -> None:
     with pytest.raises(MachineError, match=r"target\.centre: found .* cannot hold the handle"):
         plan(machine, everywhere(0.5 * RESERVE * machine.target.force))
+
+
+def uncertainty(machine: Machine, poses: Sequence[Coordinates]) -> float:
+    """Of the least certain zero over that of a length, from poses that nobody knows."""
+    normal = np.zeros((len(machine.cables),) * 2)
+    for pose in poses:
+        jacobian = length_jacobian(machine, np.array(pose), [])
+        normal += np.eye(len(normal)) - jacobian @ np.linalg.pinv(jacobian)
+    return float(1.0 / np.sqrt(np.linalg.eigvalsh(normal)[0]))
+
+
+def test_a_hand_that_wanders_turns_a_platform_enough_to_find_the_cables_zeros() -> None:
+    # The calibration refuses more than 8; friction and the hand's own springs take a part of the
+    # rotation, so that the path has to be better than that.
+    machine = load_machine(ROOT / "machines" / "spidar_g.toml")
+    trip = plan(machine, everywhere(2.0)).round_trip
+    times = [0.3 * number for number in range(1, machine.calibration.samples + 1)]
+    assert uncertainty(machine, [trip.at(time)[0] for time in times]) < 5.0
+    narrow = wandering(machine, 0.6)  # negative control: as far as a platform without friction
+    assert uncertainty(machine, [tuple(narrow(time)) for time in times]) > 5.0
+
+
+def test_a_platform_in_space_is_taken_to_all_corners_and_turned_about_all_axes() -> None:
+    machine = load_machine(ROOT / "machines" / "spidar_g.toml")
+    task = plan(machine, everywhere(2.0))
+    way = positions(task, "tour")
+    reach = [*np.array(machine.target.size) / 2, *[machine.target.rotation] * 3]
+    np.testing.assert_allclose(np.ptp(way, axis=0) / 2, reach, rtol=1e-3)
+    corners = {tuple(np.sign(p[:3] - machine.target.centre).astype(int)) for p in way}
+    assert len([corner for corner in corners if 0 not in corner]) == 8
+    turn = task.phase("turn")
+    wrenches = np.array([task.force(t) for t in np.linspace(turn.begin, turn.end, 1201)])
+    peaks = np.abs(wrenches).max(axis=0)
+    np.testing.assert_allclose(peaks[:3], SHARE * machine.target.force, rtol=1e-3)
+    np.testing.assert_allclose(peaks[3:], SHARE * machine.target.moment, rtol=1e-3)
+    assert (np.abs(wrenches[:, :3]).max(axis=1) * np.abs(wrenches[:, 3:]).max(axis=1) < 1e-9).all()
