@@ -7,6 +7,7 @@
 
 #include "loopback.h"
 #include "master.h"
+#include "network.h"
 
 /** A frame on one of the buses. */
 typedef struct {
@@ -42,6 +43,7 @@ typedef struct {
 
 typedef struct {
     tb_loopback buses[TB_BUSES];
+    tb_network network;
     tb_master master;
 } shim_machine;
 
@@ -78,7 +80,8 @@ void shim_start(shim_machine *machine)
         tb_loopback_open(&machine->buses[i]);
         ports[i] = &machine->buses[i].port;
     }
-    tb_master_start(&machine->master, ports);
+    tb_network_start(&machine->network, ports);
+    tb_master_start(&machine->master, &machine->network.fieldbus);
 }
 
 /* What the master has sent on all buses since the last time. */

@@ -1,7 +1,7 @@
 """The network of the runtime with a python canopen drive for each of its drives, in lockstep."""
 
 from collections.abc import Callable
-from ctypes import addressof, byref, c_void_p, memset, sizeof
+from ctypes import CFUNCTYPE, addressof, byref, c_void_p, memset, sizeof
 from typing import Any
 
 from canopen_c import Canopen, Frame, canopen_c, read
@@ -9,6 +9,30 @@ from canopen_drive import Drive, rows
 from canopen_peer import Wire
 
 Tamper = Callable[[int, Frame], list[Frame]]
+
+
+class Fieldbus:
+    """The calls of a started network: tb_fieldbus_protocol."""
+
+    def __init__(self, network: Any) -> None:
+        self._network = network
+        protocol = (c_void_p * 3).from_address(network.fieldbus.protocol)
+        self._sync = CFUNCTYPE(None, c_void_p)(protocol[0])
+        self._collect, self._dispatch = (
+            CFUNCTYPE(None, c_void_p, c_void_p)(call) for call in protocol[1:]
+        )
+
+    def sync(self) -> None:
+        """The drives measure."""
+        self._sync(addressof(self._network))
+
+    def collect(self, seen: Any) -> None:
+        """What they report goes to an observation."""
+        self._collect(addressof(self._network), addressof(seen))
+
+    def dispatch(self, orders: Any) -> None:
+        """What they are ordered goes out."""
+        self._dispatch(addressof(self._network), addressof(orders))
 
 
 class Bench:
@@ -29,6 +53,7 @@ class Bench:
         self.orders.beat = 1
         ports = (c_void_p * len(self.loops))(*map(addressof, self.loops))
         self.start(ports)
+        self.fieldbus = Fieldbus(self.network)
         self.answers: Tamper = lambda bus, frame: [frame]
         """What reaches the master of a frame that a drive sent."""
         self.synced: list[list[Frame]] = []
@@ -55,16 +80,16 @@ class Bench:
     def sync(self) -> None:
         """SYNC, and what the drives answer to it."""
         self.tick()
-        self.c.tb_network_sync(byref(self.network))
+        self.fieldbus.sync()
         self.synced = self.carry()
 
     def collect(self) -> None:
         """The observation."""
-        self.c.tb_network_collect(byref(self.network), byref(self.seen))
+        self.fieldbus.collect(self.seen)
 
     def dispatch(self) -> None:
         """The orders; what is answered to them waits for the next cycle."""
-        self.c.tb_network_dispatch(byref(self.network), byref(self.orders))
+        self.fieldbus.dispatch(self.orders)
         self.dispatched = self.carry()
 
     def give(self, bus: int, *frames: Frame) -> None:

@@ -163,7 +163,7 @@ def drives(machine: Machine, reports: Column, orders: Column) -> Columns:
 
 def bus_columns(name: str, bus: Column) -> Columns:
     """What a bus reported."""
-    yield f"bus_{name}_state", in_words(bus["state"], words("tb_can_state", "can/can.h"))
+    yield f"bus_{name}_state", in_words(bus["state"], words("tb_bus_state", DRIVE))
     for field in ("refused", "stranger", "malformed"):
         yield f"bus_{name}_{field}", bus[field]
 

@@ -32,17 +32,6 @@ static void take_over(tb_bus *bus, tb_can_port *port)
     bus->unreadable = port->statistics.malformed;
 }
 
-void tb_network_start(tb_network *network, tb_can_port *const ports[TB_BUSES])
-{
-    network->cycle = 0;
-    for (size_t i = 0; i < TB_BUSES; i++) {
-        take_over(&network->buses[i], ports[i]);
-    }
-    for (size_t i = 0; i < TB_DRIVES; i++) {
-        tb_drive_link_start(&network->links[i], &tb_drives[i]);
-    }
-}
-
 /* ---- Sending ---- */
 
 static bool is_usable(const tb_bus *bus)
@@ -176,8 +165,9 @@ static bool is_synced(const tb_network *network, size_t bus)
     return (network->buses[bus].synced != 0) && (age_of_sync(network, bus) == 0);
 }
 
-void tb_network_sync(tb_network *network)
+static void sync(tb_fieldbus *fieldbus)
 {
+    tb_network *const network = (tb_network *)fieldbus;
     for (size_t i = 0; i < TB_BUSES; i++) {
         bool const is_due = age_of_sync(network, i) == 0;
         drain(network, i, !is_due);
@@ -192,9 +182,15 @@ void tb_network_sync(tb_network *network)
 
 /* ---- Collect ---- */
 
-_Static_assert((TB_BUS_LOST == TB_CAN_BUS_OFF) && (TB_BUS_LOST < TB_CAN_NOT_OPEN) &&
-                   (TB_BUS_LOST > TB_CAN_ERROR_PASSIVE),
-               "the supervisor knows in which states a bus carries no frames");
+static tb_bus_state state_of(tb_can_port *port)
+{
+    static const tb_bus_state states[] = {
+        [TB_CAN_ERROR_ACTIVE] = TB_BUS_ACTIVE,   [TB_CAN_ERROR_WARNING] = TB_BUS_WARNING,
+        [TB_CAN_ERROR_PASSIVE] = TB_BUS_PASSIVE, [TB_CAN_BUS_OFF] = TB_BUS_OFF,
+        [TB_CAN_NOT_OPEN] = TB_BUS_NOT_OPEN,
+    };
+    return states[tb_can_port_state(port)];
+}
 
 /* What arrived and was no frame: only the port has seen it. */
 static void count_unreadable(tb_bus *bus)
@@ -209,7 +205,7 @@ static void count_unreadable(tb_bus *bus)
 static void report_bus(tb_bus *bus, tb_bus_report *report)
 {
     count_unreadable(bus);
-    report->state = (uint8_t)tb_can_port_state(bus->port);
+    report->state = (uint8_t)state_of(bus->port);
     report->refused = bus->refused;
     report->stranger = bus->stranger;
     report->malformed = bus->malformed;
@@ -218,8 +214,9 @@ static void report_bus(tb_bus *bus, tb_bus_report *report)
     bus->malformed = 0;
 }
 
-void tb_network_collect(tb_network *network, tb_observation *seen)
+static void collect(tb_fieldbus *fieldbus, tb_observation *seen)
 {
+    tb_network *const network = (tb_network *)fieldbus;
     for (size_t i = 0; i < TB_BUSES; i++) {
         drain(network, i, true);
         report_bus(&network->buses[i], &seen->buses[i]);
@@ -283,8 +280,9 @@ static void dispatch_bus(tb_network *network, size_t index, const tb_orders *ord
     send_acyclic(network, index);
 }
 
-void tb_network_dispatch(tb_network *network, const tb_orders *orders)
+static void dispatch(tb_fieldbus *fieldbus, const tb_orders *orders)
 {
+    tb_network *const network = (tb_network *)fieldbus;
     for (size_t i = 0; i < TB_DRIVES; i++) {
         tb_drive_order const *const order = &orders->drives[i];
         tb_setup_order(&network->links[i].setup, (tb_task)order->task, (tb_mode)order->mode);
@@ -293,4 +291,20 @@ void tb_network_dispatch(tb_network *network, const tb_orders *orders)
         dispatch_bus(network, i, orders);
     }
     network->cycle++;
+}
+
+/* ---- The fieldbus ---- */
+
+static const tb_fieldbus_protocol canopen = {sync, collect, dispatch};
+
+void tb_network_start(tb_network *network, tb_can_port *const ports[TB_BUSES])
+{
+    network->fieldbus.protocol = &canopen;
+    network->cycle = 0;
+    for (size_t i = 0; i < TB_BUSES; i++) {
+        take_over(&network->buses[i], ports[i]);
+    }
+    for (size_t i = 0; i < TB_DRIVES; i++) {
+        tb_drive_link_start(&network->links[i], &tb_drives[i]);
+    }
 }

@@ -130,12 +130,18 @@ typedef struct {
 /** A stranger that says what only a master says: this, and its function code (CiA 301, table 33). */
 #define TB_STRANGER_MASTER ((uint8_t)0x80)
 
-/** First tb_can_state in which a bus carries no frames: off, or its device has gone. */
-#define TB_BUS_LOST ((uint8_t)3)
+/** How a bus is. From TB_BUS_OFF on it carries nothing. */
+typedef enum {
+    TB_BUS_ACTIVE = 0, /* all is well */
+    TB_BUS_WARNING,    /* errors on it */
+    TB_BUS_PASSIVE,    /* many errors: it may soon be off */
+    TB_BUS_OFF,        /* the controller was cut off from it */
+    TB_BUS_NOT_OPEN    /* closed, or its device has gone */
+} tb_bus_state;
 
 /** What a bus reported in this cycle. */
 typedef struct {
-    uint8_t state;     /* tb_can_state */
+    uint8_t state;     /* tb_bus_state */
     uint8_t refused;   /* frames that could not be sent since the last cycle, stops at 255 */
     uint8_t stranger;  /* a node that is not in the machine file spoke: its number, or
                           TB_STRANGER_MASTER and what it said; 0 for none */

@@ -167,7 +167,7 @@ static tb_blame find_late_drive(const tb_supervisor *supervisor, const tb_observ
 static tb_blame find_lost_bus(const tb_observation *seen)
 {
     for (size_t i = 0; i < TB_BUSES; i++) {
-        if (seen->buses[i].state >= TB_BUS_LOST) {
+        if (seen->buses[i].state >= TB_BUS_OFF) {
             return tb_blame_for(TB_CAUSE_BUS_OFF, i, seen->buses[i].state);
         }
     }

@@ -22,11 +22,13 @@ PROGRAM = """
 #include "controller.h"
 #include "loopback.h"
 #include "master.h"
+#include "network.h"
 #include "tb_control.h"
 #include "tb_kinematics.h"
 
 static tb_controller controller;
 static tb_loopback buses[TB_BUSES];
+static tb_network network;
 static tb_master master;
 static tb_inputs inputs;
 static tb_wishes wishes;
@@ -56,7 +58,8 @@ int main(void)
         tb_loopback_open(&buses[i]);
         ports[i] = &buses[i].port;
     }
-    tb_master_start(&master, ports);
+    tb_network_start(&network, ports);
+    tb_master_start(&master, &network.fieldbus);
     for (int cycle = 0; cycle < 5; cycle++) {
         tb_master_sync(&master);
         tb_master_run(&master, &wishes, 0);

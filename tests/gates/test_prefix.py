@@ -42,8 +42,10 @@ SHOW = """
 
 #include "tb_loopback.h"
 #include "tb_master.h"
+#include "tb_network.h"
 
 static tb_loopback buses[TB_BUSES];
+static tb_network network;
 static tb_master master;
 
 #ifdef __cplusplus
@@ -63,7 +65,8 @@ void tb_show(void)
         tb_loopback_open(&buses[i]);
         ports[i] = &buses[i].port;
     }
-    tb_master_start(&master, ports);
+    tb_network_start(&network, ports);
+    tb_master_start(&master, &network.fieldbus);
     for (int cycle = 0; cycle < 8; cycle++) {
         tb_master_sync(&master);
         tb_master_run(&master, &wishes, 0);

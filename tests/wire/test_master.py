@@ -26,13 +26,14 @@ class MasterBench(Bench):
     def __init__(self, library: Canopen = C) -> None:
         self.master = library.new("tb_master")
         super().__init__(library)
-        self.network, self.seen = self.master.network, self.master.seen
+        self.seen = self.master.seen
         self.orders, self.wishes = self.master.orders, self.c.new("tb_wishes")
         self.skipped = 0
 
     def start(self, ports: Any) -> None:
         """Take over the ports."""
-        self.c.tb_master_start(byref(self.master), ports)
+        super().start(ports)
+        self.c.tb_master_start(byref(self.master), byref(self.network.fieldbus))
 
     def cycle(self, count: int = 1) -> None:
         """Run some cycles."""

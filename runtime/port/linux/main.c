@@ -8,6 +8,7 @@
 #include "buses.h"
 #include "clock.h"
 #include "loop.h"
+#include "network.h"
 #include "options.h"
 #include "realtime.h"
 #include "record.h"
@@ -28,7 +29,8 @@ typedef struct {
     tb_bus_ports buses;
     tb_clock clock;
     tb_simulated_clock simulated; /* with --clock: instead of the other one */
-    tb_can_port *const *ports;    /* what the master sees of the buses */
+    tb_can_port *const *ports;    /* what the network sees of the buses */
+    tb_network network;
     tb_master master;
     tb_loop loop;
     tb_record record;
@@ -65,7 +67,8 @@ static bool prepare(tb_program *program)
 
 static int run(tb_program *program)
 {
-    tb_master_start(&program->master, program->ports);
+    tb_network_start(&program->network, program->ports);
+    tb_master_start(&program->master, &program->network.fieldbus);
     tb_end const end = tb_loop_run(&program->loop);
     int const status = tb_report(&program->loop, end);
     tb_buses_close(&program->buses);

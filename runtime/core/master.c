@@ -5,18 +5,18 @@
 static const tb_observation nothing_seen;
 static const tb_orders nothing_ordered;
 
-void tb_master_start(tb_master *master, tb_can_port *const ports[TB_BUSES])
+void tb_master_start(tb_master *master, tb_fieldbus *fieldbus)
 {
+    master->fieldbus = fieldbus;
     master->seen = nothing_seen;
     master->orders = nothing_ordered;
-    tb_network_start(&master->network, ports);
     tb_supervisor_start(&master->supervisor);
     tb_recorder_start(&master->recorder, &master->supervisor);
 }
 
 void tb_master_sync(tb_master *master)
 {
-    tb_network_sync(&master->network);
+    master->fieldbus->protocol->sync(master->fieldbus);
 }
 
 static void hear(tb_observation *seen, const tb_wishes *wishes, uint32_t missed)
@@ -32,9 +32,10 @@ static void hear(tb_observation *seen, const tb_wishes *wishes, uint32_t missed)
 
 void tb_master_run(tb_master *master, const tb_wishes *wishes, uint32_t missed)
 {
+    tb_fieldbus *const fieldbus = master->fieldbus;
     hear(&master->seen, wishes, missed);
-    tb_network_collect(&master->network, &master->seen);
+    fieldbus->protocol->collect(fieldbus, &master->seen);
     tb_supervisor_step(&master->supervisor, &master->seen, &master->orders);
     tb_recorder_keep(&master->recorder, &master->seen, &master->orders, &master->supervisor);
-    tb_network_dispatch(&master->network, &master->orders);
+    fieldbus->protocol->dispatch(fieldbus, &master->orders);
 }

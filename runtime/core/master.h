@@ -1,4 +1,5 @@
-/* The master: one control cycle, for every port. A port has a clock and opened buses, and calls
+/* The master: one control cycle, for every port and every fieldbus. A port has a clock and a
+ * started fieldbus, and calls
  *
  *   tb_master_sync   at the start of every cycle
  *   tb_master_run    TB_COMPUTE_PHASE later
@@ -10,8 +11,7 @@
 
 #include <stdint.h>
 
-#include "can.h"
-#include "network.h"
+#include "fieldbus.h"
 #include "recorder.h"
 #include "supervisor.h"
 #include "wishes.h"
@@ -22,17 +22,17 @@ extern "C" {
 
 /** A machine under control. */
 typedef struct {
-    tb_network network;
+    tb_fieldbus *fieldbus;
     tb_supervisor supervisor;
     tb_recorder recorder;
     tb_observation seen; /* of the last cycle, as the next */
     tb_orders orders;
 } tb_master;
 
-/** Take over opened ports, in the order of the buses in the machine file; begin in INIT. */
-void tb_master_start(tb_master *master, tb_can_port *const ports[TB_BUSES]);
+/** Take over a started fieldbus; begin in INIT. */
+void tb_master_start(tb_master *master, tb_fieldbus *fieldbus);
 
-/** Begin a cycle: SYNC. */
+/** Begin a cycle: the drives measure. */
 void tb_master_sync(tb_master *master);
 
 /** Go on with it: read the answers, decide, send. missed: cycles skipped since the last one. */
