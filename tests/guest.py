@@ -85,7 +85,7 @@ def run_in_guest(
     interfaces: Sequence[str] = ("vcan0",),
     environment: Mapping[str, str] | None = None,
     folder: Path = ROOT,
-    seconds: float = 300.0,
+    seconds: float = 1800.0,
     on_line: Callable[[str], object] = lambda line: None,
 ) -> Finished:
     """Run a command of the host in the guest, from a folder of the host, with vcan interfaces up.
@@ -282,7 +282,7 @@ def main() -> int:
     """Run a command in the guest from the command line."""
     parser = argparse.ArgumentParser(description="run a command in a Linux guest with CAN")
     parser.add_argument("--interfaces", default="vcan0", help="names, with commas between")
-    parser.add_argument("--seconds", type=float, default=300.0, help="the longest it may take")
+    parser.add_argument("--seconds", type=float, default=1800.0, help="the longest it may take")
     parser.add_argument("command", nargs=argparse.REMAINDER)
     given = parser.parse_args()
     try:

@@ -47,7 +47,7 @@ def story(stock_file: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
 
 
 def told_of(
-    bench: Bench, runs: Sequence[str], folder: Path, seconds: float = 900
+    bench: Bench, runs: Sequence[str], folder: Path, seconds: float = 3600
 ) -> dict[str, Told]:
     """What these runs of a machine in the guest were like."""
     (folder / "bench").write_bytes(pickle.dumps(bench))

@@ -5,10 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "adapters.h"
 #include "can.h"
 #include "options.h"
-#include "slcan.h"
-#include "socketcan.h"
 #include "tb_drives.h"
 
 #ifdef __cplusplus
@@ -17,10 +16,7 @@ extern "C" {
 
 /** Ports of all buses, with the memory of their drivers. */
 typedef struct {
-    union {
-        tb_slcan slcan;
-        tb_socketcan socketcan;
-    } drivers[TB_BUSES];
+    tb_adapter_memory drivers[TB_BUSES];
     tb_can_port *ports[TB_BUSES]; /* in the order of the machine file */
 } tb_bus_ports;
 

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <getopt.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,6 +12,7 @@
 #include "tb_machine.h"
 
 #define LONGEST_NAME 31     /* of a bus in a machine file */
+#define LONGEST_WAYS 400    /* of words about all adapters */
 #define DEFAULT_PRIORITY 80 /* below the threads of the CAN device's interrupts, above the rest */
 
 #ifdef TB_REAL_FLOAT
@@ -19,13 +21,13 @@
 #define PRECISION "double"
 #endif
 
-static const char usage[] =
+static const char usage_of_buses[] =
     "Usage: turnbuckle --bus NAME=ADAPTER:DEVICE ... [options]\n"
     "\n"
     "Controls the machine " TB_MACHINE_NAME " (" TB_MACHINE_HASH ").\n"
-    "\n"
-    "  --bus NAME=slcan:/dev/ttyACM0    a bus behind a serial CAN adapter\n"
-    "  --bus NAME=socketcan:can0        a bus behind an interface of the kernel\n"
+    "\n";
+
+static const char usage_of_the_rest[] =
     "  --arm             arm as soon as every drive is configured\n"
     "  --cycles N        stop after N cycles\n"
     "  --record FILE     keep the flight recorder in FILE; a folder: in a file of the run's own\n"
@@ -120,23 +122,6 @@ static int find_bus(const char *text, size_t length)
     return -1;
 }
 
-static bool read_adapter(const char *text, tb_bus_option *bus)
-{
-    static const struct {
-        const char *prefix;
-        tb_adapter adapter;
-    } adapters[] = {{"slcan:", TB_ADAPTER_SLCAN}, {"socketcan:", TB_ADAPTER_SOCKETCAN}};
-    for (size_t i = 0; i < sizeof adapters / sizeof adapters[0]; i++) {
-        size_t const length = strlen(adapters[i].prefix);
-        if ((strncmp(text, adapters[i].prefix, length) == 0) && (text[length] != '\0')) {
-            bus->adapter = adapters[i].adapter;
-            bus->device = text + length;
-            return true;
-        }
-    }
-    return false;
-}
-
 static bool read_bus(const char *text, tb_options *options)
 {
     char names[TB_BUSES * (LONGEST_NAME + 2) + 1];
@@ -144,12 +129,13 @@ static bool read_bus(const char *text, tb_options *options)
     int const number = find_bus(text, length);
     if (number < 0) {
         tb_say("--bus %s: found the bus \"%.*s\"; allowed: one of %s, as in --bus "
-               "%s=slcan:/dev/ttyACM0",
-               text, (int)length, text, bus_names(names, sizeof names), tb_buses[0].name);
+               "%s=%s:%s",
+               text, (int)length, text, bus_names(names, sizeof names), tb_buses[0].name,
+               tb_adapters[0]->name, tb_adapters[0]->example);
         return false;
     }
     tb_bus_option *const bus = &options->buses[number];
-    if (bus->adapter != TB_ADAPTER_NONE) {
+    if (bus->adapter != NULL) {
         tb_say("--bus %s: the bus %s was given before", text, tb_buses[number].name);
         return false;
     }
@@ -158,10 +144,12 @@ static bool read_bus(const char *text, tb_options *options)
                (int)length, text, strlen(text) - length, TB_LONGEST_DEVICE);
         return false;
     }
-    if ((text[length] == '\0') || !read_adapter(text + length + 1u, bus)) {
-        tb_say("--bus %s: allowed: %s=slcan:DEVICE, such as slcan:/dev/ttyACM0, or "
-               "%s=socketcan:INTERFACE, such as socketcan:can0",
-               text, tb_buses[number].name, tb_buses[number].name);
+    bus->adapter =
+        (text[length] == '\0') ? NULL : tb_adapter_find(text + length + 1u, &bus->device);
+    if (bus->adapter == NULL) {
+        char ways[LONGEST_WAYS];
+        tb_say("--bus %s: allowed: %s", text,
+               tb_adapters_tell(tb_buses[number].name, sizeof ways, ways));
         return false;
     }
     return true;
@@ -170,9 +158,10 @@ static bool read_bus(const char *text, tb_options *options)
 static bool has_every_bus(const tb_options *options)
 {
     for (size_t i = 0; i < TB_BUSES; i++) {
-        if (options->buses[i].adapter == TB_ADAPTER_NONE) {
-            tb_say("the bus %s is missing: --bus %s=slcan:/dev/ttyACM0 or --bus %s=socketcan:can0",
-                   tb_buses[i].name, tb_buses[i].name, tb_buses[i].name);
+        if (options->buses[i].adapter == NULL) {
+            char ways[LONGEST_WAYS];
+            tb_say("the bus %s is missing: --bus %s", tb_buses[i].name,
+                   tb_adapters_tell(tb_buses[i].name, sizeof ways, ways));
             return false;
         }
     }
@@ -211,6 +200,17 @@ static bool read_value(int letter, const char *value, tb_options *options)
     }
 }
 
+static void print_usage(void)
+{
+    tb_print_text(usage_of_buses);
+    for (size_t i = 0; tb_adapters[i] != NULL; i++) {
+        char way[LONGEST_WAYS];
+        snprintf(way, sizeof way, "%s:%s", tb_adapters[i]->name, tb_adapters[i]->example);
+        tb_print("  --bus NAME=%-20s  a bus %s", way, tb_adapters[i]->meaning);
+    }
+    tb_print_text(usage_of_the_rest);
+}
+
 static tb_options_answer read_option(int letter, char *argv[], tb_options *options)
 {
     switch (letter) {
@@ -221,7 +221,7 @@ static tb_options_answer read_option(int letter, char *argv[], tb_options *optio
         options->seal = true;
         return TB_OPTIONS_RUN;
     case 'h':
-        tb_print_text(usage);
+        print_usage();
         return TB_OPTIONS_DONE;
     case 'v':
         tb_print("%s %s, %s", TB_MACHINE_NAME, TB_MACHINE_HASH, PRECISION);

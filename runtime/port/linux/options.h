@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "adapters.h"
 #include "tb_drives.h"
 
 #ifdef __cplusplus
@@ -16,15 +17,9 @@ extern "C" {
 #define TB_LONGEST_DEVICE 300 /* characters: a folder of /dev and the longest name of a file */
 
 /** How a bus is reached. */
-typedef enum {
-    TB_ADAPTER_NONE = 0,
-    TB_ADAPTER_SLCAN,    /* a serial line */
-    TB_ADAPTER_SOCKETCAN /* an interface of the kernel */
-} tb_adapter;
-
 typedef struct {
-    tb_adapter adapter;
-    const char *device; /* path of the serial line, or name of the interface */
+    const tb_adapter *adapter; /* NULL: not given */
+    const char *device;
 } tb_bus_option;
 
 typedef struct {
