@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from turnbuckle.codegen.bind import REALS, Generated, pointer
+from turnbuckle.codegen.bind import Generated, pointer
 from turnbuckle.codegen.compile import compile_library
-from turnbuckle.model.machine import Machine
+from turnbuckle.codegen.struct_layout import layouts_in
 from turnbuckle.places import RUNTIME
 
 Reals = NDArray[np.floating[Any]]
@@ -21,6 +21,9 @@ SHIM = Path(__file__).parent / "controller_shim.c"
 RUNTIME_CORE = RUNTIME / "core"
 #: The part of the runtime that is the controller step; the rest is for machines with buses.
 STEP = ("controller.c", "torque_gate.c")
+
+
+INPUTS = ("lengths", "rails", "force", "hand_force", "options")
 
 
 class Outputs(NamedTuple):
@@ -42,9 +45,9 @@ class Outputs(NamedTuple):
 
 
 class Controller:
-    """The controller of one machine, with its memory.
+    """The controller of one machine, with its memory: tb_controller, by the names of its members.
 
-    Raises RuntimeError when the C structs are not laid out as this module believes.
+    Raises LayoutError where the C has not the members that are read or written here.
     """
 
     def __init__(self, generated: Generated, core: Path = RUNTIME_CORE) -> None:
@@ -55,13 +58,10 @@ class Controller:
         self._library = ctypes.CDLL(str(library))
         self._library.shim_run.restype = None
         self._rails = len(generated.machine.rails)
-        self.inputs_layout, self.outputs_layout, memory_layout = layouts(
-            generated.machine, generated.precision
-        )
-        self._check_size("inputs", self.inputs_layout)
-        self._check_size("outputs", self.outputs_layout)
-        self._check_size("controller", memory_layout)
-        self.memory = np.zeros(1, memory_layout)
+        layouts = layouts_in(self._library, "shim_layout")
+        self.inputs_layout = layouts.struct("inputs", *INPUTS)
+        self.outputs_layout = layouts.struct("outputs", *Outputs._fields)
+        self.memory = np.zeros(1, layouts.struct("controller", "torque", "base"))
 
     def start(self, lengths: ArrayLike, rails: ArrayLike) -> int:
         """tb_controller_start with measured lengths [m] (n), rails [m] (m); returns tb_status."""
@@ -118,52 +118,3 @@ class Controller:
         """One output of all cycles; the slot of a machine without rails is left out."""
         column: NDArray[Any] = outputs[name]
         return column[:, : self._rails] if name.startswith("rail_") else column
-
-    def _check_size(self, name: str, layout: np.dtype[np.void]) -> None:
-        size = getattr(self._library, f"shim_{name}_size")
-        size.restype = ctypes.c_size_t
-        if size() != layout.itemsize:
-            raise RuntimeError(
-                f"tb_{name} has {size()} bytes in the library, {layout.itemsize} here:"
-                " the library was built for another machine or precision"
-            )
-
-
-def layouts(machine: Machine, precision: str) -> tuple[np.dtype[np.void], ...]:
-    """tb_inputs, tb_outputs and tb_controller of runtime/core/controller.h."""
-    n, m, d = (len(machine.cables),), (max(1, len(machine.rails)),), (machine.dof,)
-    reals = REALS[precision]
-    inputs = [
-        ("lengths", reals, n),
-        ("rails", reals, m),
-        ("force", reals, d),
-        ("hand_force", reals, d),
-        ("options", np.uint32),
-    ]
-    outputs = [
-        ("pose", reals, d),
-        ("velocity", reals, d),
-        ("residual", reals),
-        ("wanted_force", reals, d),
-        ("delivered_force", reals, d),
-        ("tension", reals, n),
-        ("disturbance", reals, n),
-        ("motor_torque", reals, n),
-        ("rail_target", reals, m),
-        ("rail_force", reals, m),
-        ("rail_torque", reals, m),
-        ("gate", np.uint32, n),
-        ("status", np.int32),
-    ]
-    memory = [
-        ("pose", reals, d),
-        ("lengths", reals, n),
-        ("length_rates", reals, n),
-        ("rails", reals, m),
-        ("rail_rates", reals, m),
-        ("observer", reals, (*n, 5)),
-        ("base", reals, (*m, 3)),
-        ("torque", reals, n),
-        ("interrupted", np.uint32),
-    ]
-    return tuple(np.dtype(fields, align=True) for fields in (inputs, outputs, memory))

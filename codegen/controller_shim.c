@@ -6,28 +6,16 @@
 #include <stdint.h>
 #include <time.h>
 
-#include "controller.h"
+#include "controller_layout.h"
 
-size_t shim_inputs_size(void);
-size_t shim_outputs_size(void);
-size_t shim_controller_size(void);
+extern const tb_layout_row shim_layout[];
+extern const uint32_t shim_layout_rows;
 void shim_run(tb_controller *controller, size_t cycles, const tb_inputs inputs[],
               tb_outputs outputs[], int64_t nanoseconds[]);
 
-size_t shim_inputs_size(void)
-{
-    return sizeof(tb_inputs);
-}
+const tb_layout_row shim_layout[] = {TB_CONTROLLER_LAYOUT};
 
-size_t shim_outputs_size(void)
-{
-    return sizeof(tb_outputs);
-}
-
-size_t shim_controller_size(void)
-{
-    return sizeof(tb_controller);
-}
+const uint32_t shim_layout_rows = sizeof(shim_layout) / sizeof(shim_layout[0]);
 
 static int64_t now(void)
 {

@@ -14,8 +14,9 @@ from struct import Struct
 
 import numpy as np
 
-from turnbuckle.codegen.bind import REALS, Generated, pointer
+from turnbuckle.codegen.bind import Generated, pointer
 from turnbuckle.codegen.compile import compile_library
+from turnbuckle.codegen.struct_layout import LayoutError, Layouts, layouts_in
 from turnbuckle.lab.drives.node import Frame
 from turnbuckle.lab.machine_sim import SimulatedMachine
 from turnbuckle.model.base import Coordinates
@@ -29,8 +30,6 @@ PORTABLE_CAN = (CAN / "can.c", CAN / "loopback.c")
 FRAME = Struct("<BBH8s")
 ROOM = 256
 """Frames that one step of the master can send at most."""
-READY, SWEEP = 4, 20
-"""TB_PHASE_READY, TB_PHASE_SWEEP."""
 
 Arrival = Callable[[Sequence[bytes]], None]
 Tap = Callable[[int, Frame], None]
@@ -65,7 +64,7 @@ class BusState(IntEnum):
     ERROR_ACTIVE = 0
     ERROR_WARNING = 1
     ERROR_PASSIVE = 2
-    OFF = 3
+    BUS_OFF = 3
     NOT_OPEN = 4
 
 
@@ -101,11 +100,11 @@ class Lockstep:
         common = timing(generated.machine)
         self._compute_phase = compute_phase(loads(generated.machine), common)
         self._library = load(generated)
-        wishes, view = layouts(generated)
-        self._check_sizes(wishes, view)
+        layouts = layouts_of(self._library)
+        self._ready, self._sweep = (layouts.number("phase", name) for name in ("READY", "SWEEP"))
         self._memory = ctypes.create_string_buffer(self._library.shim_machine_size())
-        self._wishes = np.zeros(1, wishes)
-        self._view = np.zeros(1, view)
+        self._wishes = np.zeros(1, layouts.struct("wishes"))
+        self._view = np.zeros(1, layouts.struct("view"))
         self._sent = ctypes.create_string_buffer(ROOM * FRAME.size)
         self._library.shim_start(self._memory)
 
@@ -164,7 +163,7 @@ class Lockstep:
         """Arm the machine once it is ready, and run until it works, `most` cycles at most; the
         state at the end. The hand moves the handle about where no base moves."""
         for _ in range(most):
-            if self.view["phase"] == SWEEP:
+            if self.view["phase"] == self._sweep:
                 self.machine.wander()
             self.requests = Request.ARM if self._is_ready and self.cycles % 2 else Request(0)
             self.cycle()
@@ -174,7 +173,7 @@ class Lockstep:
 
     @property
     def _is_ready(self) -> bool:
-        return self.state is State.CONFIGURE and self.view["phase"] == READY
+        return self.state is State.CONFIGURE and self.view["phase"] == self._ready
 
     def exchange_runtime(self, library: ctypes.CDLL) -> None:
         """Go on with another build of the runtime, whose memory has the same layout."""
@@ -214,12 +213,6 @@ class Lockstep:
             taken = self._library.shim_give(self._memory, b"".join(packed), len(packed))
             self.lost += len(packed) - taken
 
-    def _check_sizes(self, wishes: np.dtype[np.void], view: np.dtype[np.void]) -> None:
-        for name, layout in (("wishes", wishes), ("view", view)):
-            size = getattr(self._library, f"shim_{name}_size")()
-            if size != layout.itemsize:
-                raise RuntimeError(f"shim_{name} has {size} bytes in C, {layout.itemsize} here")
-
 
 def load(generated: Generated, folders: Sequence[Path] = FOLDERS) -> ctypes.CDLL:
     """The runtime of a machine with its buses in memory; folders: of its core and canopen."""
@@ -227,11 +220,23 @@ def load(generated: Generated, folders: Sequence[Path] = FOLDERS) -> ctypes.CDLL
     sources += [*sorted(generated.folder.glob("*.c")), *PORTABLE_CAN, SHIM]
     include = [generated.folder, *folders, CAN]
     library = ctypes.CDLL(str(compile_library(sources, include, generated.precision)))
-    for name in ("machine_size", "wishes_size", "view_size", "sync", "run", "give"):
+    for name in ("machine_size", "sync", "run", "give"):
         getattr(library, f"shim_{name}").restype = ctypes.c_size_t
     for name, arguments in ARGUMENTS.items():
         getattr(library, name).argtypes = arguments
     return library
+
+
+def layouts_of(library: ctypes.CDLL) -> Layouts:
+    """What lockstep_shim.c describes: tb_wishes, tb_view and the enumerations.
+
+    Raises LayoutError where an enumeration of this module is not that of the C.
+    """
+    layouts = layouts_in(library, "shim_layout")
+    for name, enumeration in {"state": State, "can_state": BusState, "request": Request}.items():
+        if layouts.enumerations[name] != {each.name: each.value for each in enumeration}:
+            raise LayoutError(f"tb_{name} has other values in the C than {enumeration.__name__}")
+    return layouts
 
 
 _POINTER, _SIZE, _WORD = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_uint32
@@ -242,29 +247,3 @@ ARGUMENTS = {
     "shim_look": [_POINTER, _POINTER],
     "shim_set_bus": [_POINTER, _SIZE, _WORD, _WORD],
 }
-
-
-def layouts(generated: Generated) -> tuple[np.dtype[np.void], np.dtype[np.void]]:
-    """tb_wishes, and shim_view of lockstep_shim.c."""
-    machine, reals = generated.machine, REALS[generated.precision]
-    d, n = (machine.dof,), (len(machine.cables),)
-    drives = (len(machine.drives),)
-    word = np.uint32
-    words = ("requests", "hand_force_fresh")
-    wishes = [*((each, word, ()) for each in words), ("force", reals, d), ("hand_force", reals, d)]
-    names = ["state", "phase", "cause", "culprit", "index", "subindex", "failure", "detail", "beat"]
-    view = [
-        *((name, word, ()) for name in names),
-        ("status", np.int32, ()),
-        ("pose", reals, d),
-        ("residual", reals, ()),
-        ("wanted_force", reals, d),
-        ("delivered_force", reals, d),
-        ("tension", reals, n),
-        ("zeros", reals, n),
-        ("position", reals, drives),
-        ("ordered", reals, drives),
-        ("led", reals, (max(1, len(machine.rails)),)),
-        ("power", word, drives),
-    ]
-    return np.dtype(wishes, align=True), np.dtype(view, align=True)

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "can_layout.h"
+#include "cycle_layout.h"
 #include "loopback.h"
 #include "master.h"
 #include "network.h"
@@ -39,7 +41,7 @@ typedef struct {
     real_t ordered[TB_DRIVES]; /* N m; m of a drive that follows a position */
     real_t led[TB_RAIL_SLOTS]; /* m, where bases are led to; NaN: nowhere */
     uint32_t power[TB_DRIVES];
-} shim_view;
+} tb_view;
 
 typedef struct {
     tb_loopback buses[TB_BUSES];
@@ -47,30 +49,52 @@ typedef struct {
     tb_master master;
 } shim_machine;
 
+extern const tb_layout_row shim_layout[];
+extern const uint32_t shim_layout_rows;
 size_t shim_machine_size(void);
-size_t shim_wishes_size(void);
-size_t shim_view_size(void);
 void shim_start(shim_machine *machine);
 size_t shim_sync(shim_machine *machine, shim_frame sent[], size_t room);
 size_t shim_run(shim_machine *machine, const tb_wishes *wishes, uint32_t missed, shim_frame sent[],
                 size_t room);
 size_t shim_give(shim_machine *machine, const shim_frame arrived[], size_t count);
-void shim_look(const shim_machine *machine, shim_view *view);
+void shim_look(const shim_machine *machine, tb_view *view);
 void shim_set_bus(shim_machine *machine, size_t bus, uint32_t state, uint32_t full);
+
+#define SHIM_LAYOUT                                                                                \
+    TB_LAYOUT_STRUCT(wishes)                                                                       \
+    TB_LAYOUT_NUMBER(wishes, requests)                                                             \
+    TB_LAYOUT_NUMBER(wishes, hand_force_fresh)                                                     \
+    TB_LAYOUT_NUMBERS(wishes, force)                                                               \
+    TB_LAYOUT_NUMBERS(wishes, hand_force)                                                          \
+    TB_LAYOUT_STRUCT(view)                                                                         \
+    TB_LAYOUT_NUMBER(view, state)                                                                  \
+    TB_LAYOUT_NUMBER(view, phase)                                                                  \
+    TB_LAYOUT_NUMBER(view, cause)                                                                  \
+    TB_LAYOUT_NUMBER(view, culprit)                                                                \
+    TB_LAYOUT_NUMBER(view, index)                                                                  \
+    TB_LAYOUT_NUMBER(view, subindex)                                                               \
+    TB_LAYOUT_NUMBER(view, failure)                                                                \
+    TB_LAYOUT_NUMBER(view, detail)                                                                 \
+    TB_LAYOUT_NUMBER(view, beat)                                                                   \
+    TB_LAYOUT_NUMBER(view, status)                                                                 \
+    TB_LAYOUT_NUMBERS(view, pose)                                                                  \
+    TB_LAYOUT_NUMBER(view, residual)                                                               \
+    TB_LAYOUT_NUMBERS(view, wanted_force)                                                          \
+    TB_LAYOUT_NUMBERS(view, delivered_force)                                                       \
+    TB_LAYOUT_NUMBERS(view, tension)                                                               \
+    TB_LAYOUT_NUMBERS(view, zeros)                                                                 \
+    TB_LAYOUT_NUMBERS(view, position)                                                              \
+    TB_LAYOUT_NUMBERS(view, ordered)                                                               \
+    TB_LAYOUT_NUMBERS(view, led)                                                                   \
+    TB_LAYOUT_NUMBERS(view, power)
+
+const tb_layout_row shim_layout[] = {SHIM_LAYOUT TB_ENUMERATIONS_LAYOUT TB_CAN_LAYOUT};
+
+const uint32_t shim_layout_rows = sizeof(shim_layout) / sizeof(shim_layout[0]);
 
 size_t shim_machine_size(void)
 {
     return sizeof(shim_machine);
-}
-
-size_t shim_wishes_size(void)
-{
-    return sizeof(tb_wishes);
-}
-
-size_t shim_view_size(void)
-{
-    return sizeof(shim_view);
 }
 
 void shim_start(shim_machine *machine)
@@ -146,7 +170,7 @@ static real_t led_to(const tb_supervisor *supervisor, size_t rail)
     return by_guide ? supervisor->guide.reference[rail] : (real_t)NAN;
 }
 
-void shim_look(const shim_machine *machine, shim_view *view)
+void shim_look(const shim_machine *machine, tb_view *view)
 {
     const tb_master *const master = &machine->master;
     const tb_orders *const orders = &master->orders;

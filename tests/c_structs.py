@@ -99,7 +99,7 @@ class Reader:
     def _array(self, entry: DIE) -> Any:
         element = self.target_of(entry)
         for bound in reversed(list(entry.iter_children())):
-            element = element * (number_of(bound, "DW_AT_upper_bound") + 1)
+            element = element * length_of(bound)
         return element
 
     def _struct(self, entry: DIE) -> Any:
@@ -112,6 +112,13 @@ class Reader:
         if ctypes.sizeof(made) != size:
             raise RuntimeError(f"{name_of(entry)}: {ctypes.sizeof(made)} bytes here, {size} in C")
         return made
+
+
+def length_of(bound: DIE) -> int:
+    """Entries of an array; 0 where its declaration does not say."""
+    if "DW_AT_upper_bound" not in bound.attributes:
+        return 0
+    return number_of(bound, "DW_AT_upper_bound") + 1
 
 
 def number(entry: DIE) -> Any:

@@ -103,7 +103,7 @@ class Flight:
 
     def read_out(self) -> bytes:
         """The recording as the port would write it."""
-        out = ctypes.create_string_buffer(self.size + 4096)
+        out = ctypes.create_string_buffer(self.size + 65536)
         size = library().shim_read_out(self.recorder, out)
         return out.raw[:size]
 
@@ -128,7 +128,7 @@ class Follower:
         """Nothing is read yet."""
         self._flight = flight
         self._reader = ctypes.create_string_buffer(library().shim_reader_size())
-        self._out = ctypes.create_string_buffer(flight.size + 4096)
+        self._out = ctypes.create_string_buffer(flight.size + 65536)
         library().tb_recorder_open(self._reader, flight.recorder)
 
     def follow(self, mark: tuple[int, int]) -> int:

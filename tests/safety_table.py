@@ -5,18 +5,10 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from turnbuckle.lab.lockstep import State
+
 DOCUMENT = Path(__file__).parents[1] / "docs" / "safety.md"
-STATES = [
-    "INIT",
-    "IDENTIFY",
-    "CONFIGURE",
-    "HOME",
-    "TENSION",
-    "RUN",
-    "SOFT_STOP",
-    "HARD_STOP",
-    "FAULT",
-]
+STATES = [state.name for state in State]
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from turnbuckle.lab.flight.recording import Recording
-from turnbuckle.lab.flight.table import SUPERVISOR, along, in_words, times
-from turnbuckle.lab.flight.words import cause_names, words
+from turnbuckle.lab.flight.table import along, in_words, times
 from turnbuckle.lab.pictures import write_picture
 from turnbuckle.lab.plots import CABLES, FAINT, INK, MM, STYLE
 
@@ -57,7 +56,7 @@ def where_it_runs(out: NDArray[Any], name: str) -> NDArray[Any]:
 def draw_states(axes: Axes, recording: Recording, time: NDArray[np.float64]) -> None:
     """A band for every state, named where there is room."""
     numbers = recording.cycles["orders"]["state"]
-    names = in_words(numbers, words("tb_state", SUPERVISOR))
+    names = in_words(numbers, recording.layouts, "state")
     changes = np.flatnonzero(np.diff(numbers)) + 1
     for turn, (begin, end) in enumerate(pairwise([0, *changes, len(numbers) - 1])):
         name = str(names[begin])
@@ -115,7 +114,7 @@ def draw_residual(
 def mark_cause(axes: NDArray[Any], recording: Recording, time: NDArray[np.float64]) -> None:
     """A line where a cause was latched, named on top."""
     numbers = recording.cycles["orders"]["cause"]
-    names = in_words(numbers, cause_names())
+    names = in_words(numbers, recording.layouts, "cause")
     new = np.flatnonzero((numbers[1:] != 0) & (np.diff(numbers.astype(int)) != 0)) + 1
     for index in new:
         for each in axes:

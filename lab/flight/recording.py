@@ -1,7 +1,8 @@
 """A flight recording: the file that runtime/core/recorder.h describes, read into NumPy arrays.
 
-The arrays mirror the C structs of the machine that recorded. Whatever is wrong with a file is a
-FlightError that names the file, what was found and what is allowed.
+The arrays are the C structs of the machine that recorded, as the file itself describes them.
+Whatever is wrong with a file is a FlightError that names the file, what was found and what is
+allowed.
 """
 
 import re
@@ -15,17 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.bind import REALS
-from turnbuckle.codegen.controller import layouts
+from turnbuckle.codegen.struct_layout import ROW, Layout, LayoutError, Layouts, read_layouts
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reading import load_machine
 from turnbuckle.places import MACHINES
 
-Layout = np.dtype[np.void]
 Records = NDArray[np.void]
 
 MAGIC = b"TBFLIGHT"
-VERSION = 2
+VERSION = 3
 BYTE_ORDER = 0x01020304
 PRECISIONS = {np.dtype(real).itemsize: name for name, real in REALS.items()}
 HEADER: Layout = np.dtype(
@@ -36,12 +36,9 @@ HEADER: Layout = np.dtype(
             for name in (
                 "version",
                 "byte_order",
-                "real_size",
+                "layout_rows",
+                "layout_checksum",
                 "head_size",
-                "supervisor_size",
-                "observation_size",
-                "orders_size",
-                "cycle_size",
                 "segment_size",
                 "segment_cycles",
                 "segments",
@@ -52,8 +49,30 @@ HEADER: Layout = np.dtype(
         ("hash", "S64"),
     ]
 )
-
-SEGMENT: Layout = np.dtype([("first", np.uint64), ("count", np.uint32), ("checksum", np.uint32)])
+"""tb_recording_header, the only layout that this module knows by itself."""
+READ: dict[str, tuple[str, ...]] = {
+    "segment_head": ("first", "count", "checksum"),
+    "supervisor": (),
+    "recorded_cycle": ("seen", "orders"),
+    "drive_report": (
+        *("position", "torque", "statusword", "error_code", "power", "mode", "homing", "fresh"),
+        *("missed", "late", "silent", "task", "progress", "failure", "index", "subindex", "detail"),
+    ),
+    "bus_report": ("state", "refused", "stranger", "malformed"),
+    "observation": (
+        *("drives", "buses", "force", "hand_force", "hand_force_fresh", "requests", "missed"),
+    ),
+    "drive_order": ("torque", "position", "goal"),
+    "outputs": (
+        *("pose", "velocity", "residual", "wanted_force", "delivered_force", "tension"),
+        *("disturbance", "rail_target", "rail_force", "gate", "status"),
+    ),
+    "orders": (
+        *("drives", "controller", "slack", "beat", "state", "phase", "cause", "culprit"),
+        *("index", "subindex", "failure", "detail"),
+    ),
+}
+"""Members that are read, by struct."""
 LARGEST_NUMBER = 1 << 62
 """Of a cycle: no machine runs that long."""
 
@@ -83,9 +102,14 @@ class Recording:
     path: Path
     machine: Machine
     hash: str
-    precision: str
+    layouts: Layouts
     segments: list[Segment]
     flaws: Sequence[str] = ()
+
+    @property
+    def precision(self) -> str:
+        """ "double" or "float" """
+        return precision_of(self.layouts)
 
     @property
     def cycles(self) -> Records:
@@ -106,16 +130,15 @@ def read_recording(path: Path, file: Path | None = None) -> Recording:
     """
     content = path.read_bytes()
     header = header_of(path, content)
+    layouts = layouts_of(path, content, header)
     machine = load_machine(file or machine_file(path, text(header, "machine")))
     refuse_other_name(path, header, machine)
-    precision = PRECISIONS[int(header["real_size"])]
-    cycle = cycle_layout(machine, precision)
-    refuse_other_sizes(path, header, cycle, machine)
-    places = places_of(path, content, header)
-    segments, flaws = salvaged(places, cycle, len(content))
+    refuse_other_counts(path, layouts, machine)
+    places = places_of(path, content, header, layouts)
+    segments, flaws = salvaged(places, len(content))
     if not segments:
         raise FlightError(f"{path}: {'; '.join(flaws) or 'nothing was recorded'}")
-    return Recording(path, machine, text(header, "hash"), precision, segments, flaws)
+    return Recording(path, machine, text(header, "hash"), layouts, segments, flaws)
 
 
 def header_of(path: Path, content: bytes) -> Any:
@@ -134,9 +157,36 @@ def header_of(path: Path, content: bytes) -> Any:
             f"{path}: a recording of version {header['version']}; allowed: {VERSION}, of the"
             " turnbuckle that wrote it"
         )
-    if int(header["real_size"]) not in PRECISIONS:
-        raise FlightError(f"{path}: real numbers of {header['real_size']} bytes; allowed: 4 or 8")
     return header
+
+
+def layouts_of(path: Path, content: bytes, header: Any) -> Layouts:
+    """What the file says of its structs; FlightError where it lacks what is to be read."""
+    rows = int(header["layout_rows"])
+    if len(content) < HEADER.itemsize + rows * ROW.itemsize:
+        raise FlightError(f"{path}: cut off after {len(content)} bytes, before the first cycle")
+    description = np.frombuffer(content, ROW, rows, HEADER.itemsize)
+    if zlib.crc32(description) != header["layout_checksum"]:
+        raise FlightError(f"{path}: damaged: the description of its structs has another checksum")
+    layouts = None
+    try:
+        layouts = read_layouts(description)
+        for struct, members in READ.items():
+            layouts.struct(struct, *members)
+    except LayoutError as error:
+        version = f" of version {layouts.version}" if layouts and layouts.version else ""
+        raise FlightError(
+            f"{path}: recorded by a program{version}: {error}, which this turnbuckle reads; use the"
+            " turnbuckle that the program was made with"
+        ) from None
+    if layouts.structs["drive_report"]["position"].itemsize not in PRECISIONS:
+        raise FlightError(f"{path}: its positions are no real numbers")
+    return layouts
+
+
+def precision_of(layouts: Layouts) -> str:
+    """The precision of the program that described its structs: "double" or "float"."""
+    return PRECISIONS[layouts.structs["drive_report"]["position"].itemsize]
 
 
 def text(header: Any, name: str) -> str:
@@ -160,15 +210,26 @@ def refuse_other_name(path: Path, header: Any, machine: Machine) -> None:
         raise FlightError(f"{path}: of machine {name!r}; {machine.path} is {machine.name!r}")
 
 
-def refuse_other_sizes(path: Path, header: Any, cycle: Layout, machine: Machine) -> None:
-    """Refuse structs that are not what this version and this machine file make them."""
-    found = [int(header[f"{name}_size"]) for name in ("observation", "orders", "cycle")]
-    wanted = [cycle["seen"].itemsize, cycle["orders"].itemsize, cycle.itemsize]
+def refuse_other_counts(path: Path, layouts: Layouts, machine: Machine) -> None:
+    """Refuse a machine file that has other numbers of drives, buses or directions of force."""
+    seen, orders = layouts.structs["observation"], layouts.structs["orders"]
+    found = [
+        *(seen[name].shape for name in ("drives", "buses", "force")),
+        *(orders[name].shape for name in ("drives", "slack")),
+    ]
+    drives, cables = drive_count(machine), len(machine.cables)
+    wanted = [(n,) for n in (drives, len(machine.buses), machine.dof, drives, cables)]
     if found != wanted:
         raise FlightError(
-            f"{path}: observation, orders and cycle take {found} bytes; {machine.path} and this"
-            f" version of turnbuckle make them {wanted}: one of them has changed since"
+            f"{path}: of a machine with {counted(found)}; {machine.path} has {counted(wanted)}: the"
+            " machine file has changed since"
         )
+
+
+def counted(shapes: Sequence[tuple[int, ...]]) -> str:
+    """Shapes of drives, buses, force, drives and cables in words."""
+    drives, buses, force, _, cables = (shape[0] if shape else 0 for shape in shapes)
+    return f"{drives} drives, {buses} buses, {cables} cables, {force} degrees of freedom"
 
 
 @dataclass(frozen=True)
@@ -176,10 +237,15 @@ class Places:
     """Where the segments are in the bytes of a file."""
 
     content: bytes
+    begin: int
+    """Bytes before the first segment."""
     head: int
     """Bytes of a segment before its cycles."""
     memory: int
     """Bytes of the supervisor's memory among these."""
+    segment: Layout
+    """Of what is before the memory."""
+    cycle: Layout
     size: int
     """Bytes of a segment."""
     cycles: int
@@ -188,38 +254,35 @@ class Places:
     ended: bool
 
 
-def places_of(path: Path, content: bytes, header: Any) -> Places:
+def places_of(path: Path, content: bytes, header: Any, layouts: Layouts) -> Places:
     """The places that a header tells of; FlightError where its numbers contradict each other."""
-    head, memory, size, cycle, cycles = (
-        int(header[name])
-        for name in (
-            "head_size",
-            "supervisor_size",
-            "segment_size",
-            "cycle_size",
-            "segment_cycles",
-        )
+    head, size, cycles = (
+        int(header[name]) for name in ("head_size", "segment_size", "segment_cycles")
     )
-    if head < SEGMENT.itemsize or size < head + cycles * cycle or not cycles:
+    segment, memory, cycle = (
+        layouts.struct(name) for name in ("segment_head", "supervisor", "recorded_cycle")
+    )
+    least = segment.itemsize + memory.itemsize
+    if head < least or size < head + cycles * cycle.itemsize or not cycles:
         raise FlightError(
-            f"{path}: damaged: {cycles} cycles of {cycle} bytes behind {head} bytes do not fit into"
-            f" the {size} bytes of a segment, as its header says"
+            f"{path}: damaged: {cycles} cycles of {cycle.itemsize} bytes behind {head} bytes do not"
+            f" fit into the {size} bytes of a segment, as its header says"
         )
-    memory = min(memory, head - SEGMENT.itemsize)
+    begin = HEADER.itemsize + int(header["layout_rows"]) * ROW.itemsize
     used, ended = int(header["segments"]), bool(header["ended"])
-    return Places(content, head, memory, size, cycles, used, ended)
+    return Places(content, begin, head, memory.itemsize, segment, cycle, size, cycles, used, ended)
 
 
-def salvaged(places: Places, cycle: Layout, size: int) -> tuple[list[Segment], list[str]]:
+def salvaged(places: Places, size: int) -> tuple[list[Segment], list[str]]:
     """What is whole of all segments, oldest first; and in words what is not."""
     found: list[Segment] = []
     cut = damaged = 0
-    begins = range(HEADER.itemsize, HEADER.itemsize + places.used * places.size, places.size)
+    begins = range(places.begin, places.begin + places.used * places.size, places.size)
     for number, at in enumerate(begins):
         if at >= size:
             cut += places.used - number
             break
-        segment = segment_at(places, cycle, at)
+        segment = segment_at(places, at)
         cut += segment is not None and not segment.whole
         damaged += segment is None
         if segment is not None and len(segment.cycles):
@@ -239,106 +302,28 @@ def some(count: int, what: str) -> str:
     return f"{count} {what} is" if count == 1 else f"{count} {what}s are"
 
 
-def segment_at(places: Places, cycle: Layout, at: int) -> Segment | None:
+def segment_at(places: Places, at: int) -> Segment | None:
     """The whole cycles of the segment that begins there; None where it is damaged."""
-    content, begin = places.content, at + places.head
+    content, begin, cycle = places.content, at + places.head, places.cycle
     if begin > len(content):
         return Segment(0, np.zeros(0, np.uint8), np.zeros(0, cycle), whole=False)
-    first, count, checksum = np.frombuffer(content, SEGMENT, 1, at)[0].tolist()
+    head = np.frombuffer(content, places.segment, 1, at)[0]
+    first, count, checksum = (int(head[name]) for name in READ["segment_head"])
     if count > places.cycles or first > LARGEST_NUMBER:
         return None
     there = min(count, (len(content) - begin) // cycle.itemsize)
     end = begin + there * cycle.itemsize
-    if there == count and checksum_of(content, at, end) != checksum:
+    if there == count and checksum_of(content, places.segment, at, end) != checksum:
         return None
-    before = np.frombuffer(content, np.uint8, places.memory, at + SEGMENT.itemsize)
+    before = np.frombuffer(content, np.uint8, places.memory, at + places.segment.itemsize)
     return Segment(first, before, np.frombuffer(content, cycle, there, begin), there == count)
 
 
-def checksum_of(content: bytes, at: int, end: int) -> int:
+def checksum_of(content: bytes, segment: Layout, at: int, end: int) -> int:
     """CRC-32 of a segment: memory and cycles, then the number of the first and the count."""
     view = memoryview(content)
-    head = view[at : at + SEGMENT.fields["checksum"][1]]  # type: ignore[index]
-    return zlib.crc32(head, zlib.crc32(view[at + SEGMENT.itemsize : end]))
-
-
-def cycle_layout(machine: Machine, precision: str) -> Layout:
-    """tb_recorded_cycle of runtime/core/recorder.h."""
-    return np.dtype(
-        [("seen", observation(machine, precision)), ("orders", orders(machine, precision))],
-        align=True,
-    )
-
-
-def observation(machine: Machine, precision: str) -> Layout:
-    """tb_observation of runtime/core/cycle.h."""
-    real, d = REALS[precision], machine.dof
-    report = [
-        ("position", real),
-        ("torque", real),
-        ("statusword", np.uint16),
-        ("error_code", np.uint16),
-        ("error_class", np.uint8),
-        ("power", np.uint8),
-        ("mode", np.uint8),
-        ("homing", np.uint8),
-        ("fresh", np.uint8),
-        ("age", np.uint8),
-        ("missed", np.uint8),
-        ("late", np.uint8),
-        ("silent", np.uint8),
-        ("task", np.uint8),
-        ("progress", np.uint8),
-        ("failure", np.uint8),
-        ("subindex", np.uint8),
-        ("index", np.uint16),
-        ("detail", np.uint32),
-    ]
-    bus = [(name, np.uint8) for name in ("state", "refused", "stranger", "malformed")]
-    fields = [
-        ("drives", np.dtype(report, align=True), drive_count(machine)),
-        ("buses", np.dtype(bus, align=True), len(machine.buses)),
-        ("force", real, d),
-        ("hand_force", real, d),
-        ("hand_force_fresh", np.uint32),
-        ("requests", np.uint32),
-        ("missed", np.uint32),
-    ]
-    return np.dtype(in_arrays(fields), align=True)
-
-
-def orders(machine: Machine, precision: str) -> Layout:
-    """tb_orders of runtime/core/cycle.h."""
-    real = REALS[precision]
-    order = [
-        ("torque", real),
-        ("position", real),
-        ("goal", np.uint8),
-        ("mode", np.uint8),
-        ("task", np.uint8),
-        ("home", np.uint8),
-    ]
-    _, outputs, _ = layouts(machine, precision)
-    fields = [
-        ("drives", np.dtype(order, align=True), drive_count(machine)),
-        ("controller", outputs),
-        ("slack", real, len(machine.cables)),
-        ("beat", np.uint8),
-        ("state", np.uint8),
-        ("phase", np.uint8),
-        ("cause", np.uint8),
-        ("culprit", np.uint16),
-        ("index", np.uint16),
-        ("subindex", np.uint8),
-        ("failure", np.uint8),
-        ("detail", np.uint32),
-    ]
-    return np.dtype(in_arrays(fields), align=True)
-
-
-def in_arrays(fields: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
-    """Fields with the length of an array made its shape: NumPy takes a length of 1 for none."""
-    return [(name, kind, *((n,) for n in length)) for name, kind, *length in fields]
+    head = view[at : at + segment.fields["checksum"][1]]  # type: ignore[index]
+    return zlib.crc32(head, zlib.crc32(view[at + segment.itemsize : end]))
 
 
 def drive_count(machine: Machine) -> int:

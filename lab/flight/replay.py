@@ -16,6 +16,7 @@ from turnbuckle.codegen.controller import RUNTIME_CORE
 from turnbuckle.codegen.generate import render
 from turnbuckle.codegen.identity import machine_hash
 from turnbuckle.codegen.model import build_model
+from turnbuckle.codegen.struct_layout import Layouts, layouts_in
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import Recording, Records, Segment
 
@@ -55,12 +56,7 @@ class Supervisor:
         """Load what was compiled of supervisor_sources."""
         self._library = ctypes.CDLL(str(library))
         self._library.shim_replay.restype = None
-
-    def size(self, name: str) -> int:
-        """Bytes of a C struct: "supervisor" or "cycle"."""
-        function = getattr(self._library, f"shim_{name}_size")
-        function.restype = ctypes.c_size_t
-        return int(function())
+        self.layouts = layouts_in(self._library, "tb_recording_layout")
 
     def run(self, segment: Segment) -> Records:
         """The cycles of a segment, with what is ordered when they are run again."""
@@ -71,16 +67,16 @@ class Supervisor:
         return again
 
 
-def supervisor_sources(folder: Path) -> list[Path]:
+def supervisor_sources(folder: Path, core: Path = RUNTIME_CORE) -> list[Path]:
     """The C of a machine, in `folder`, and the runtime's core, as far as they order anything."""
     generated = [path for path in sorted(folder.glob("*.c")) if path.name not in DESIGN]
-    return [*generated, *sorted(RUNTIME_CORE.glob("*.c")), SHIM]
+    return [*generated, *sorted(core.glob("*.c")), SHIM]
 
 
-def compile_supervisor(folder: Path, precision: str) -> Supervisor:
-    """The supervisor of a machine whose C is in `folder`."""
-    include = [folder, RUNTIME_CORE]
-    return Supervisor(compile_library(supervisor_sources(folder), include, precision))
+def compile_supervisor(folder: Path, precision: str, core: Path = RUNTIME_CORE) -> Supervisor:
+    """The supervisor of a machine whose C is in `folder`; core: the runtime's."""
+    sources = supervisor_sources(folder, core)
+    return Supervisor(compile_library(sources, [folder, core], precision))
 
 
 def replay(recording: Recording) -> Replay:
@@ -111,7 +107,7 @@ def run_again(recording: Recording, supervisor: Supervisor) -> Replay:
 
     What has no checksum is not run: the C believes the memory that it is given.
     """
-    refuse_other_memory(recording, supervisor)
+    refuse_other_layouts(recording, supervisor.layouts)
     matched = 0
     for segment in recording.segments:
         if not segment.whole:
@@ -124,16 +120,29 @@ def run_again(recording: Recording, supervisor: Supervisor) -> Replay:
     return Replay(matched, None)
 
 
-def refuse_other_memory(recording: Recording, supervisor: Supervisor) -> None:
-    """Refuse a supervisor whose memory is not laid out as the recorded one."""
-    for segment in recording.segments:
-        found = len(segment.before), segment.cycles.dtype.itemsize
-        wanted = supervisor.size("supervisor"), supervisor.size("cycle")
-        if found != wanted:
+def refuse_other_layouts(recording: Recording, wanted: Layouts) -> None:
+    """Refuse C that lays its memory or a cycle out otherwise than the C that recorded."""
+    for name in ("supervisor", "recorded_cycle"):
+        other = first_other(f"tb_{name}", recording.layouts.struct(name), wanted.struct(name))
+        if other:
             raise FlightError(
-                f"{recording.path}: the supervisor's memory and a cycle take {found} bytes; in this"
-                f" version of turnbuckle {wanted}: replay it with the version that recorded it"
+                f"{recording.path}: {other} is laid out otherwise in this version of turnbuckle;"
+                " replay it with the version that recorded it"
             )
+
+
+def first_other(name: str, recorded: np.dtype[Any], now: np.dtype[Any]) -> str:
+    """The first member that is of another type or at another place; empty where there is none."""
+    recorded, now = recorded.base, now.base
+    if recorded == now:
+        return ""
+    for member in recorded.names or ():
+        before, after = (layout.fields and layout.fields.get(member) for layout in (recorded, now))
+        if before is None or after is None or before[1] != after[1]:
+            return f"{name}.{member}"
+        if before[0] != after[0]:
+            return first_other(f"{name}.{member}", before[0], after[0]) or f"{name}.{member}"
+    return name
 
 
 def first_difference(segment: Segment, computed: Records) -> Difference | None:

@@ -4,20 +4,8 @@
 
 #include "recorder.h"
 
-size_t shim_supervisor_size(void);
-size_t shim_cycle_size(void);
 void shim_replay(tb_supervisor *supervisor, size_t cycles, const tb_recorded_cycle recorded[],
                  tb_recorded_cycle again[]);
-
-size_t shim_supervisor_size(void)
-{
-    return sizeof(tb_supervisor);
-}
-
-size_t shim_cycle_size(void)
-{
-    return sizeof(tb_recorded_cycle);
-}
 
 void shim_replay(tb_supervisor *supervisor, size_t cycles, const tb_recorded_cycle recorded[],
                  tb_recorded_cycle again[])

@@ -1,6 +1,7 @@
 """A recording as a table: a row a cycle, columns with their units, states and causes in words."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -10,9 +11,9 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from pyarrow import csv, parquet
 
+from turnbuckle.codegen.struct_layout import Layouts
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import Recording
-from turnbuckle.lab.flight.words import cause_names, words
 from turnbuckle.model.bus.axis import drive_names
 from turnbuckle.model.files import refuse_foreign_file, write_whole
 from turnbuckle.model.machine import Machine
@@ -33,10 +34,6 @@ WRITERS = {
 }
 Column = NDArray[Any]
 Columns = Iterator[tuple[str, Column]]
-
-SUPERVISOR, DRIVE = "core/cycle.h", "core/drive.h"
-REQUESTS = {1: "arm", 2: "stop", 4: "reset"}
-"""TB_REQUEST_..., runtime/core/cycle.h"""
 
 
 def write_table(recording: Recording, path: Path) -> None:
@@ -61,13 +58,13 @@ def columns(recording: Recording) -> Columns:
     seen, orders = cycles["seen"], cycles["orders"]
     yield "cycle", recording.numbers
     yield "time_s", times(recording)
-    yield from states(seen, orders)
+    yield from states(recording.layouts, seen, orders)
     yield from platform(machine, seen, orders)
     yield from cables(machine, orders)
     yield from rails(machine, orders["controller"])
-    yield from drives(machine, seen["drives"], orders["drives"])
+    yield from drives(recording, seen["drives"], orders["drives"])
     for number, bus in enumerate(machine.buses):
-        yield from bus_columns(bus.name, seen["buses"][:, number])
+        yield from bus_columns(recording.layouts, bus.name, seen["buses"][:, number])
 
 
 def times(recording: Recording) -> NDArray[np.float64]:
@@ -79,25 +76,26 @@ def times(recording: Recording) -> NDArray[np.float64]:
     return np.asarray(np.cumsum(passed + skipped) / recording.machine.control.rate)
 
 
-def states(seen: Column, orders: Column) -> Columns:
+def states(layouts: Layouts, seen: Column, orders: Column) -> Columns:
     """What the machine does, and why."""
-    yield "state", in_words(orders["state"], words("tb_state", SUPERVISOR))
+    yield "state", in_words(orders["state"], layouts, "state")
     yield "phase", orders["phase"]
-    yield "cause", in_words(orders["cause"], cause_names())
+    yield "cause", in_words(orders["cause"], layouts, "cause")
     for name in ("culprit", "index", "subindex"):
         yield name, orders[name]
-    yield "failure", in_words(orders["failure"], words("tb_failure", DRIVE))
+    yield "failure", in_words(orders["failure"], layouts, "failure")
     yield "detail", orders["detail"]
-    yield "requests", np.array([requests(int(bits)) for bits in seen["requests"]], object)
+    yield "requests", texts(seen["requests"], partial(requests, layouts))
     yield "beat", orders["beat"]
     yield "cycles_skipped", seen["missed"]
     status = tuple(one.name.lower().replace("_", " ") for one in Status)
-    yield "controller", in_words(orders["controller"]["status"], status)
+    yield "controller", texts(orders["controller"]["status"], partial(listed, status))
 
 
-def requests(bits: int) -> str:
+def requests(layouts: Layouts, bits: int) -> str:
     """The requests that stand, joined by +."""
-    return "+".join(name for bit, name in REQUESTS.items() if bits & bit)
+    known = layouts.enumerations.get("request", {})
+    return "+".join(name.lower() for name, bit in known.items() if bits & bit)
 
 
 def platform(machine: Machine, seen: Column, orders: Column) -> Columns:
@@ -140,36 +138,46 @@ def rails(machine: Machine, out: Column) -> Columns:
         yield f"{name}_force_N", out["rail_force"][:, i]
 
 
-def drives(machine: Machine, reports: Column, orders: Column) -> Columns:
+def drives(recording: Recording, reports: Column, orders: Column) -> Columns:
     """What every drive reported and was ordered."""
-    for i, name in enumerate(drive_names(machine)):
+    layouts = recording.layouts
+    for i, name in enumerate(drive_names(recording.machine)):
         report, order = reports[:, i], orders[:, i]
         yield f"{name}_position_m", report["position"]
         yield f"{name}_torque_N_m", report["torque"]
         yield f"{name}_ordered_torque_N_m", order["torque"]
         yield f"{name}_ordered_position_m", order["position"]
-        yield f"{name}_power", in_words(report["power"], words("tb_power", DRIVE))
-        yield f"{name}_goal", in_words(order["goal"], words("tb_goal", DRIVE))
-        yield f"{name}_mode", in_words(report["mode"], words("tb_mode", DRIVE))
-        yield f"{name}_homing", in_words(report["homing"], words("tb_homing", DRIVE))
-        yield f"{name}_task", in_words(report["task"], words("tb_task", DRIVE))
-        yield f"{name}_progress", in_words(report["progress"], words("tb_progress", DRIVE))
-        yield f"{name}_failure", in_words(report["failure"], words("tb_failure", DRIVE))
+        yield f"{name}_power", in_words(report["power"], layouts, "power")
+        yield f"{name}_goal", in_words(order["goal"], layouts, "goal")
+        yield f"{name}_mode", in_words(report["mode"], layouts, "mode")
+        yield f"{name}_homing", in_words(report["homing"], layouts, "homing")
+        yield f"{name}_task", in_words(report["task"], layouts, "task")
+        yield f"{name}_progress", in_words(report["progress"], layouts, "progress")
+        yield f"{name}_failure", in_words(report["failure"], layouts, "failure")
         for field in ("index", "subindex", "detail", "statusword", "error_code"):
             yield f"{name}_{field}", report[field]
         for field in ("fresh", "missed", "late", "silent"):
             yield f"{name}_{field}", report[field]
 
 
-def bus_columns(name: str, bus: Column) -> Columns:
+def bus_columns(layouts: Layouts, name: str, bus: Column) -> Columns:
     """What a bus reported."""
-    yield f"bus_{name}_state", in_words(bus["state"], words("tb_bus_state", DRIVE))
+    yield f"bus_{name}_state", in_words(bus["state"], layouts, "bus_state")
     for field in ("refused", "stranger", "malformed"):
         yield f"bus_{name}_{field}", bus[field]
 
 
-def in_words(numbers: Column, known: Sequence[str]) -> Column:
-    """Numbers as words; one without a word as it is."""
+def in_words(numbers: Column, layouts: Layouts, enumeration: str) -> Column:
+    """Values of an enumeration as words; one without a word as it is."""
+    return texts(numbers, partial(layouts.word, enumeration))
+
+
+def listed(words: Sequence[str], number: int) -> str:
+    """The word of a number that counts from 0; the number itself where there is none."""
+    return words[number] if 0 <= number < len(words) else str(number)
+
+
+def texts(numbers: Column, text: Callable[[int], str]) -> Column:
+    """The text of every number."""
     found, inverse = np.unique(numbers, return_inverse=True)
-    texts = [known[n] if 0 <= n < len(known) else str(n) for n in found.tolist()]
-    return np.array(texts, object)[inverse]
+    return np.array([text(number) for number in found.tolist()], object)[inverse]

@@ -18,7 +18,6 @@ from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.identity import refuse_other
 from turnbuckle.lab.live.program import build_program
 from turnbuckle.lab.live.telemetry import Telemetry, default_path
-from turnbuckle.lab.live.words import STATES, word
 from turnbuckle.model.machine import Machine
 
 if TYPE_CHECKING:
@@ -219,7 +218,7 @@ class Teller:
         for number in range(max(self._next, published - LOOKED_BACK), published):
             if (cycle := telemetry.cycle(number)) is not None:
                 seconds = float(telemetry.counts["period"]) * number
-                self._tell_state(seconds, word(STATES, int(cycle["state"])))
+                self._tell_state(seconds, telemetry.layouts.name("state", cycle["state"]))
                 self._tell_cause(seconds, cause if cycle["cause"] else "")
         if published > self._next:
             self._tell_doing(float(telemetry.counts["period"]) * (published - 1), doing)

@@ -21,8 +21,6 @@ from turnbuckle.lab.drives.slcan_adapter import SlcanAdapter
 from turnbuckle.lab.drives.wire import Conditions
 from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.telemetry import Telemetry, running
-from turnbuckle.lab.live.words import STATES
-from turnbuckle.lab.lockstep import SWEEP
 from turnbuckle.lab.machine_sim import ORDINARY, SimulatedMachine
 from turnbuckle.lab.task import Task
 from turnbuckle.model.machine import Machine, Plant
@@ -31,7 +29,6 @@ PATIENCE = 120
 """Seconds that the other process may take to begin."""
 LOOKS = 20
 """Cycles between two looks at what the machine does."""
-RUNNING = STATES.index("RUN")
 SOCKETCAN = "socketcan:"
 
 
@@ -178,8 +175,9 @@ class Application:
         if self._telemetry is None:
             self._telemetry = running(self._path)
         elif not self._begun and (cycle := self._telemetry.latest()) is not None:
-            if cycle["phase"] == SWEEP:
+            layouts = self._telemetry.layouts
+            if layouts.name("phase", cycle["phase"]) == "SWEEP":
                 self._world.wander()
-            if cycle["state"] == RUNNING:
+            if layouts.name("state", cycle["state"]) == "RUN":
                 self._world.begin_task()
                 self._begun = True

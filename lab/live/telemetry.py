@@ -12,13 +12,11 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from turnbuckle.codegen.struct_layout import ROW, Layout, LayoutError, Layouts, read_layouts
 from turnbuckle.lab.live import LiveError, NothingYetError
 
 FOLDER = Path("/dev/shm")
-MAGIC, VERSION = b"TBTELEM\0", 3
-NAME, TEXT = 32, 1024
-LARGEST_COUNT = 4096
-"""Of anything that a header counts but bytes and cycles: no machine has as many."""
+MAGIC, VERSION = b"TBTELEM\0", 4
 ATTEMPTS = 10_000
 """How often a copy is tried again that was written meanwhile; one writing takes about 1 us."""
 
@@ -26,122 +24,49 @@ SIZES = ("dof", "cables", "drives", "buses")
 Record = np.void
 Request = Literal["arm", "stop", "reset"]
 
-COUNTS = np.dtype(
+BEGINNING: Layout = np.dtype(
     [
         ("magic", "S8"),
-        ("version", "<u4"),
-        ("bytes", "<u4"),
-        ("machine", f"S{NAME}"),
-        ("hash", f"S{NAME}"),
-        *((name, "<u4") for name in ("dof", "cables", "rails", "drives", "buses", "bins")),
-        *((name, "<u4") for name in ("status_at", "status_bytes", "cycles_at", "cycle_bytes")),
-        *((name, "<u4") for name in ("slots", "inbox_at", "inbox_bytes", "pid", "simulated")),
-        ("has_rails", "<u4"),
-        ("period", "<f8"),
-        ("tension_min", "<f8"),
-        ("tension_max", "<f8"),
-    ],
-    align=True,
-)
-"""The beginning of the header, the same for every machine."""
-
-DRIVE = np.dtype(
-    [
-        ("position", "<f8"),
-        ("torque", "<f8"),
-        ("ordered_torque", "<f8"),
-        ("statusword", "<u2"),
-        ("error_code", "<u2"),
-        *((name, "u1") for name in ("power", "mode", "homing", "fresh", "missed", "silent")),
-        *((name, "u1") for name in ("task", "progress", "goal")),
-        ("reserved", "u1", 3),
-    ],
-    align=True,
-)
-
-BUS = np.dtype(
-    [
-        ("bits", "<u8"),
-        *((name, "<u4") for name in ("state", "sent", "received", "refused", "lost", "malformed")),
-        *((name, "<u4") for name in ("bus_errors", "bus_off", "bit_rate", "divider")),
+        *((name, np.uint32) for name in ("version", "bytes", "layout_at", "layout_rows")),
     ]
 )
-
-
-class Layout(NamedTuple):
-    """The parts of a machine's file."""
-
-    names: np.dtype[Any]
-    status: np.dtype[Any]
-    cycle: np.dtype[Any]
-    inbox: np.dtype[Any]
-
-
-def layout_of(counts: Record) -> Layout:
-    """The parts of the file whose header begins with these counts."""
-    dof, cables, rails, drives, buses, bins = (
-        int(counts[name]) for name in ("dof", "cables", "rails", "drives", "buses", "bins")
-    )
-    histogram = np.dtype(
-        [
-            ("bins", "<u8", bins),
-            ("count", "<u8"),
-            *((name, "<i8") for name in ("least", "most", "sum")),
-        ]
-    )
-    return Layout(
-        names=np.dtype(
-            [
-                ("edges", "<i8", bins - 1),
-                ("drives", f"S{NAME}", drives),
-                ("buses", f"S{NAME}", buses),
-            ]
+"""Of tb_telemetry_header; the file describes the rest of itself, tb_layout_row for row."""
+READ: dict[str, tuple[str, ...]] = {
+    "histogram": ("bins", "count", "most", "sum"),
+    "telemetry_header": (
+        *("machine", "hash", *SIZES, "rails", "status_at", "cycles_at", "slots", "inbox_at"),
+        *("pid", "simulated", "period", "tension_min", "tension_max"),
+        *("edges", "drive_names", "bus_names"),
+    ),
+    "telemetry_bus": (
+        *("bits", "state", "sent", "received", "refused", "lost", "malformed", "bus_off"),
+        "bit_rate",
+    ),
+    "loop_times": ("missed", "longest_gap", "lateness", "computing"),
+    "telemetry_status": ("sequence", "published", "times", "buses", "doing", "cause"),
+    "telemetry_drive": (
+        *("position", "torque", "ordered_torque", "statusword", "error_code"),
+        *("power", "mode", "missed", "silent", "task"),
+    ),
+    "telemetry_cycle": (
+        *(
+            "sequence",
+            "number",
+            "state",
+            "phase",
+            "cause",
+            "pose",
+            "velocity",
+            "residual",
+            "wanted_force",
         ),
-        status=np.dtype(
-            [
-                ("sequence", "<u8"),
-                ("published", "<u8"),
-                ("missed", "<u8"),
-                ("longest_gap", "<u8"),
-                ("lateness", histogram),
-                ("computing", histogram),
-                ("buses", BUS, buses),
-                ("doing", f"S{TEXT}"),
-                ("cause", f"S{TEXT}"),
-            ],
-            align=True,
-        ),
-        cycle=np.dtype(
-            [
-                ("sequence", "<u8"),
-                ("number", "<u8"),
-                ("time", "<i8"),
-                ("missed", "<u4"),
-                ("requests", "<u4"),
-                *((name, "u1") for name in ("state", "phase", "cause", "beat")),
-                ("status", "<i4"),
-                ("pose", "<f8", dof),
-                ("velocity", "<f8", dof),
-                ("residual", "<f8"),
-                *((name, "<f8", dof) for name in ("force", "wanted_force", "delivered_force")),
-                ("tension", "<f8", cables),
-                ("slack", "<f8", cables),
-                ("rail_target", "<f8", rails),
-                ("drives", DRIVE, drives),
-            ],
-            align=True,
-        ),
-        inbox=np.dtype(
-            [
-                *((name, "<u4") for name in ("arm", "stop", "reset", "reserved")),
-                ("force_sequence", "<u8"),
-                ("force", "<f8", dof),
-                ("hand_sequence", "<u8"),
-                ("hand_force", "<f8", dof),
-            ],
-            align=True,
-        ),
-    )
+        *("delivered_force", "tension", "slack", "drives"),
+    ),
+    "telemetry_inbox": (
+        *("arm", "stop", "reset", "force_sequence", "force", "hand_sequence", "hand_force"),
+    ),
+}
+"""Members that are read or written, by struct."""
 
 
 class Telemetry:
@@ -160,61 +85,75 @@ class Telemetry:
         except ValueError:
             os.close(self._file)
             raise nothing_yet(path) from None
-        self.counts = self._counts()
-        layout = self._layout()
-        self.names = self._part(layout.names, COUNTS.itemsize)[0].copy()
-        self._status = self._part(layout.status, self._at("status"))
-        self._cycles = self._part(layout.cycle, self._at("cycles"), int(self.counts["slots"]))
-        self._inbox = self._part(layout.inbox, self._at("inbox"))
+        begins, self.layouts = self._description()
+        self.counts = self._header(begins)
+        status, cycle, inbox = (
+            self.layouts.struct(f"telemetry_{name}") for name in ("status", "cycle", "inbox")
+        )
+        self._status = self._part(status, self._at("status"))
+        self._cycles = self._part(cycle, self._at("cycles"), int(self.counts["slots"]))
+        self._inbox = self._part(inbox, self._at("inbox"))
 
-    def _counts(self) -> Record:
+    def _description(self) -> tuple[Record, Layouts]:
+        """The beginning of the header, and what the file says of its structs."""
         magic = self._memory[: len(MAGIC)]
         if magic == bytes(len(MAGIC)):
             raise nothing_yet(self.path)
-        if len(self._memory) < COUNTS.itemsize or magic != MAGIC:
+        if len(self._memory) < BEGINNING.itemsize or magic != MAGIC:
             raise foreign(self.path, "something else")
-        counts: Record = self._part(COUNTS, 0)[0].copy()
-        if counts["version"] != VERSION:
+        begins: Record = self._part(BEGINNING, 0)[0]
+        if begins["version"] != VERSION:
             raise LiveError(
-                f"{self.path}: found telemetry of version {counts['version']}; allowed: {VERSION},"
+                f"{self.path}: found telemetry of version {begins['version']}; allowed: {VERSION},"
                 " that of this turnbuckle: build the program anew"
             )
-        return counts
+        rows, at = int(begins["layout_rows"]), int(begins["layout_at"])
+        return begins, self._layouts(self._part(ROW, at, rows))
 
-    def _layout(self) -> Layout:
-        """The parts of the file, which are where this module believes that they are."""
-        for name, least in (("bins", 2), ("rails", 1), *((name, 1) for name in SIZES)):
-            if not least <= int(self.counts[name]) <= LARGEST_COUNT:
-                raise foreign(self.path, f"{name} = {self.counts[name]}")
-        if not int(self.counts["slots"]):
+    def _layouts(self, rows: NDArray[Any]) -> Layouts:
+        layouts = None
+        try:
+            layouts = read_layouts(rows)
+            for struct, members in READ.items():
+                layouts.struct(struct, *members)
+        except LayoutError as error:
+            version = f" of version {layouts.version}" if layouts and layouts.version else ""
+            raise LiveError(
+                f"{self.path}: written by a program{version}: {error}, which this turnbuckle reads;"
+                " build the program anew"
+            ) from None
+        return layouts
+
+    def _header(self, begins: Record) -> Record:
+        """The header; LiveError where its numbers contradict the file or each other."""
+        header: Record = self._part(self.layouts.struct("telemetry_header"), 0)[0].copy()
+        if int(begins["bytes"]) != len(self._memory):
+            raise foreign(self.path, f"{len(self._memory)} bytes where {begins['bytes']} are due")
+        counts = zip(SIZES, self._described_sizes(), strict=True)
+        for name, described in counts:
+            if int(header[name]) != described:
+                raise foreign(self.path, f"{name} = {header[name]} where {described} are described")
+        if not int(header["slots"]):
             raise foreign(self.path, "slots = 0")
-        layout = layout_of(self.counts)
-        self._check(layout)
-        return layout
+        return header
+
+    def _described_sizes(self) -> tuple[int, ...]:
+        """SIZES, as the arrays of the structs have them."""
+        cycle, status = (self.layouts.struct(f"telemetry_{name}") for name in ("cycle", "status"))
+        arrays = (cycle["pose"], cycle["tension"], cycle["drives"], status["buses"])
+        return tuple(array.shape[0] if array.shape else 0 for array in arrays)
 
     def _at(self, part: str) -> int:
         return int(self.counts[f"{part}_at"])
 
-    def _part(self, dtype: np.dtype[Any], begin: int, count: int = 1) -> NDArray[Any]:
-        return np.frombuffer(self._memory, dtype, count, begin)
-
-    def _check(self, layout: Layout) -> None:
-        """What the C wrote about its layout is what this module believes."""
-        counts = self.counts
-        believed = {
-            "bytes": len(self._memory),
-            "status_at": COUNTS.itemsize + layout.names.itemsize,
-            "status_bytes": layout.status.itemsize,
-            "cycle_bytes": layout.cycle.itemsize,
-            "inbox_bytes": layout.inbox.itemsize,
-            "cycles_at": int(counts["status_at"]) + layout.status.itemsize,
-            "inbox_at": int(counts["cycles_at"]) + int(counts["slots"]) * layout.cycle.itemsize,
-        }
-        for name, bytes_ in believed.items():
-            if int(counts[name]) != bytes_:
-                raise foreign(self.path, f"{name} = {counts[name]} where {bytes_} is due")
-        if (due := believed["inbox_at"] + layout.inbox.itemsize) != len(self._memory):
-            raise foreign(self.path, f"{len(self._memory)} bytes where {due} are due")
+    def _part(self, layout: Layout, begin: int, count: int = 1) -> NDArray[Any]:
+        """A part of the file; LiveError where the file does not reach so far."""
+        if begin + count * layout.itemsize > len(self._memory):
+            raise foreign(
+                self.path,
+                f"{len(self._memory)} bytes where {begin + count * layout.itemsize} are due",
+            )
+        return np.frombuffer(self._memory, layout, count, begin)
 
     @property
     def machine(self) -> str:
@@ -229,12 +168,12 @@ class Telemetry:
     @property
     def drive_names(self) -> list[str]:
         """Names of the drives: cable drives, then base drives."""
-        return [name.decode(errors="backslashreplace") for name in self.names["drives"]]
+        return [name.decode(errors="backslashreplace") for name in self.counts["drive_names"]]
 
     @property
     def bus_names(self) -> list[str]:
         """Names of the buses."""
-        return [name.decode(errors="backslashreplace") for name in self.names["buses"]]
+        return [name.decode(errors="backslashreplace") for name in self.counts["bus_names"]]
 
     @property
     def ended(self) -> bool:
@@ -367,7 +306,13 @@ class Rate(NamedTuple):
 
 def rates(earlier: Record, later: Record, period: float) -> list[Rate]:
     """What went over every bus between two readings of the status; `period` [s] of one cycle."""
-    cycles = sum(int(later[count]) - int(earlier[count]) for count in ("published", "missed"))
+    cycles = sum(
+        int(after) - int(before)
+        for before, after in (
+            (earlier["published"], later["published"]),
+            (earlier["times"]["missed"], later["times"]["missed"]),
+        )
+    )
     seconds = max(1, cycles) * period
     found = []
     for before, after in zip(earlier["buses"], later["buses"], strict=True):

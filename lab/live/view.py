@@ -9,16 +9,17 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from turnbuckle.codegen.struct_layout import Layouts
 from turnbuckle.lab.live.plane import draw_plane, has_plane
 from turnbuckle.lab.live.telemetry import Record, Telemetry, rates
-from turnbuckle.lab.live.words import BUS_STATES, MODES, POWERS, SILENCES, STATES, TASKS, word
 from turnbuckle.model.machine import Machine
 
 BAR = 20
 """Characters of a bar."""
-LOCATED = {STATES.index(name) for name in ("TENSION", "RUN", "SOFT_STOP", "HARD_STOP")}
+LOCATED = ("TENSION", "RUN", "SOFT_STOP", "HARD_STOP")
 """States in which the controller knows the pose."""
 STYLES = {"RUN": "bold green", "FAULT": "bold red", "HARD_STOP": "bold red", "SOFT_STOP": "yellow"}
+SILENCES = {"UNHEARD": "silent", "LOCAL": "under local control"}
 US, MM = 1e3, 1e3  # ns in us, mm in m
 
 
@@ -40,7 +41,7 @@ def show(telemetry: Telemetry, reading: Reading, machine: Machine | None) -> Ren
     parts.append(buses(telemetry, reading))
     parts.append(cycles(reading.status))
     if not telemetry.counts["simulated"]:
-        parts.append(times(telemetry, reading.status))
+        parts.append(times(telemetry, reading.status["times"]))
     return Group(*parts)
 
 
@@ -56,7 +57,7 @@ def headline(telemetry: Telemetry, reading: Reading) -> Text:
     if cycle is None:
         text.append("\nno cycle yet")
         return text
-    state = word(STATES, int(cycle["state"]))
+    state = telemetry.layouts.name("state", cycle["state"])
     text.append("\n")
     text.append(state, style=STYLES.get(state, "bold cyan"))
     text.append(f"  {reading.status['doing'].decode(errors='replace')}")
@@ -68,18 +69,18 @@ def headline(telemetry: Telemetry, reading: Reading) -> Text:
 
 def body(telemetry: Telemetry, cycle: Record, machine: Machine | None) -> RenderableType:
     """Pose, cables and drives; beside them the picture, where there is one."""
-    numbers = Group(pose(cycle), cables(telemetry, cycle), drives(telemetry, cycle))
+    located = telemetry.layouts.name("state", cycle["state"]) in LOCATED
+    numbers = Group(pose(cycle, located), cables(telemetry, cycle), drives(telemetry, cycle))
     if machine is None or not has_plane(machine):
         return numbers
-    located = int(cycle["state"]) in LOCATED
     first = int(telemetry.counts["cables"])
     rails = cycle["drives"]["position"][first : first + len(machine.rails)]
     return Columns([numbers, draw_plane(machine, cycle["pose"] if located else None, rails)])
 
 
-def pose(cycle: Record) -> Text:
-    """Where the handle is and what it feels."""
-    if int(cycle["state"]) not in LOCATED:
+def pose(cycle: Record, located: bool) -> Text:
+    """Where the handle is and what it feels, in a state in which the controller knows it."""
+    if not located:
         return Text("pose          not known in this state", style="dim")
     lines = (
         ("pose", cycle["pose"] * MM, "mm"),
@@ -113,27 +114,28 @@ def drives(telemetry: Telemetry, cycle: Record) -> Table:
     for name, drive in zip(telemetry.drive_names, cycle["drives"], strict=True):
         table.add_row(
             name,
-            word(POWERS, int(drive["power"])),
-            word(MODES, int(drive["mode"])),
+            telemetry.layouts.word("power", drive["power"]),
+            telemetry.layouts.word("mode", drive["mode"]),
             f"{drive['position'] * MM:.2f} mm",
             f"{drive['torque'] * 1e3:.1f} mN m",
             f"{drive['ordered_torque'] * 1e3:.1f} mN m",
             f"{drive['statusword']:04X}",
-            ", ".join(remarks(drive)),
+            ", ".join(remarks(telemetry.layouts, drive)),
         )
     return table
 
 
-def remarks(drive: Record) -> Iterator[str]:
+def remarks(layouts: Layouts, drive: Record) -> Iterator[str]:
     """What is unusual about a drive."""
     if drive["silent"]:
-        yield word(SILENCES, int(drive["silent"]))
+        silence = layouts.name("silence", drive["silent"])
+        yield SILENCES.get(silence, silence)
     if drive["missed"]:
         yield f"{drive['missed']} answers missing"
     if drive["error_code"]:
         yield f"error {drive['error_code']:04X}"
-    if task := word(TASKS, int(drive["task"])):
-        yield task
+    if drive["task"]:
+        yield layouts.word("task", drive["task"])
 
 
 def buses(telemetry: Telemetry, reading: Reading) -> Table:
@@ -154,7 +156,7 @@ def buses(telemetry: Telemetry, reading: Reading) -> Table:
     for name, bus, rate in zip(telemetry.bus_names, reading.status["buses"], each, strict=True):
         table.add_row(
             name,
-            word(BUS_STATES, int(bus["state"])),
+            telemetry.layouts.word("can_state", bus["state"]).removeprefix("error "),
             f"{100 * rate.load:.0f} %",
             f"{rate.frames:.0f}",
             *(str(bus[count]) for count in ("sent", "received", "refused", "lost", "malformed")),
@@ -165,35 +167,36 @@ def buses(telemetry: Telemetry, reading: Reading) -> Table:
 
 def cycles(status: Record) -> Text:
     """How many there were, and how many there should have been."""
+    times = status["times"]
     missed = Text(
-        f"{status['published']} cycles, {status['missed']} missed,"
-        f" at most {status['longest_gap']} at once"
+        f"{status['published']} cycles, {times['missed']} missed,"
+        f" at most {times['longest_gap']} at once"
     )
-    if status["missed"]:
+    if times["missed"]:
         missed.stylize("yellow")
     return missed
 
 
-def times(telemetry: Telemetry, status: Record) -> RenderableType:
+def times(telemetry: Telemetry, kept: Record) -> RenderableType:
     """How well the loop keeps time."""
-    edges = [*(f"{edge / US:g} us" for edge in telemetry.names["edges"]), "more"]
+    edges = [*(f"{edge / US:g} us" for edge in telemetry.counts["edges"]), "more"]
     table = plain("up to", "wake-up late", "", "computing", "")
-    seen = np.flatnonzero(status["lateness"]["bins"] + status["computing"]["bins"])
+    seen = np.flatnonzero(kept["lateness"]["bins"] + kept["computing"]["bins"])
     for i in range(seen[-1] + 1 if len(seen) else 0):
         row: list[RenderableType] = [edges[i]]
         for name in ("lateness", "computing"):
-            histogram = status[name]
+            histogram = kept[name]
             share = float(histogram["bins"][i]) / max(1, int(histogram["count"]))
             row += [str(histogram["bins"][i]), bar(share)]
         table.add_row(*row)
-    return Group(extremes(status), table)
+    return Group(extremes(kept), table)
 
 
-def extremes(status: Record) -> Text:
+def extremes(kept: Record) -> Text:
     """Mean and longest of both times."""
     words = []
     for name, what in (("lateness", "late"), ("computing", "computing")):
-        histogram = status[name]
+        histogram = kept[name]
         mean = float(histogram["sum"]) / max(1, int(histogram["count"]))
         words.append(f"{what} {mean / US:.1f} us, longest {histogram['most'] / US:.1f} us")
     return Text("; ".join(words))

@@ -73,26 +73,6 @@ tb_recorder_mark tb_recorder_now(const tb_recorder *recorder)
     return (tb_recorder_mark){recorder->opened, recorder->segments[newest(recorder)].head.count};
 }
 
-void tb_recorder_open(tb_recorder_reader *reader, const tb_recorder *recorder)
-{
-    *reader = (tb_recorder_reader){
-        .recorder = recorder,
-        .header = {.version = TB_RECORDING_VERSION,
-                   .byte_order = TB_RECORDING_BYTE_ORDER,
-                   .real_size = (uint32_t)sizeof(real_t),
-                   .head_size = (uint32_t)HEAD_SIZE,
-                   .supervisor_size = (uint32_t)sizeof(tb_supervisor),
-                   .observation_size = (uint32_t)sizeof(tb_observation),
-                   .orders_size = (uint32_t)sizeof(tb_orders),
-                   .cycle_size = (uint32_t)sizeof(tb_recorded_cycle),
-                   .segment_size = (uint32_t)sizeof(tb_segment),
-                   .segment_cycles = TB_SEGMENT_CYCLES},
-    };
-    copy_text(sizeof(reader->header.magic), TB_RECORDING_MAGIC, reader->header.magic);
-    copy_text(sizeof(TB_MACHINE_NAME), TB_MACHINE_NAME, reader->header.machine);
-    copy_text(sizeof(TB_MACHINE_HASH), TB_MACHINE_HASH, reader->header.hash);
-}
-
 /* CRC-32, four bits at a time. */
 static uint32_t checksum(uint32_t sum, const void *begin, size_t size)
 {
@@ -110,6 +90,39 @@ static uint32_t checksum(uint32_t sum, const void *begin, size_t size)
     return ~sum;
 }
 
+static size_t layout_size(void)
+{
+    return tb_recording_layout_rows * sizeof(tb_layout_row);
+}
+
+/* Where the segments begin in the file. */
+static size_t segments_begin(void)
+{
+    return sizeof(tb_recording_header) + layout_size();
+}
+
+size_t tb_recording_size(uint32_t segments)
+{
+    return segments_begin() + ((size_t)segments * sizeof(tb_segment));
+}
+
+void tb_recorder_open(tb_recorder_reader *reader, const tb_recorder *recorder)
+{
+    *reader = (tb_recorder_reader){
+        .recorder = recorder,
+        .header = {.version = TB_RECORDING_VERSION,
+                   .byte_order = TB_RECORDING_BYTE_ORDER,
+                   .layout_rows = tb_recording_layout_rows,
+                   .layout_checksum = checksum(0, tb_recording_layout, layout_size()),
+                   .head_size = (uint32_t)HEAD_SIZE,
+                   .segment_size = (uint32_t)sizeof(tb_segment),
+                   .segment_cycles = TB_SEGMENT_CYCLES},
+    };
+    copy_text(sizeof(reader->header.magic), TB_RECORDING_MAGIC, reader->header.magic);
+    copy_text(sizeof(TB_MACHINE_NAME), TB_MACHINE_NAME, reader->header.machine);
+    copy_text(sizeof(TB_MACHINE_HASH), TB_MACHINE_HASH, reader->header.hash);
+}
+
 static const tb_segment *segment_of(const tb_recorder_reader *reader)
 {
     return &reader->recorder->segments[reader->segment % TB_RECORDER_SEGMENTS];
@@ -120,7 +133,7 @@ static tb_recorder_piece part(const tb_recorder_reader *reader, const void *byte
                               size_t size)
 {
     size_t const place = (size_t)(reader->segment % TB_RECORDER_SEGMENTS) * sizeof(tb_segment);
-    return (tb_recorder_piece){bytes, size, sizeof(tb_recording_header) + place + begin};
+    return (tb_recorder_piece){bytes, size, segments_begin() + place + begin};
 }
 
 /* The memory and everything up to the first cycle. */
@@ -150,6 +163,12 @@ static tb_recorder_piece read_head(tb_recorder_reader *reader)
     reader->head.checksum =
         checksum(reader->checksum, &reader->head, offsetof(tb_segment_head, checksum));
     return part(reader, &reader->head, 0, sizeof(reader->head));
+}
+
+static tb_recorder_piece read_layout(tb_recorder_reader *reader)
+{
+    reader->described = 1;
+    return (tb_recorder_piece){tb_recording_layout, layout_size(), sizeof(tb_recording_header)};
 }
 
 static tb_recorder_piece read_header(tb_recorder_reader *reader)
@@ -193,6 +212,9 @@ tb_recorder_piece tb_recorder_read(tb_recorder_reader *reader, tb_recorder_mark 
     find_segment(reader, mark);
     uint32_t const count = available(reader, mark);
     bool const is_new = reader->cycles < count;
+    if (is_new && (reader->described == 0)) {
+        return read_layout(reader);
+    }
     switch (reader->stage) {
     case MEMORY:
         reader->stage = is_new ? CYCLES : MEMORY;

@@ -10,17 +10,19 @@
  * to its place in a file: after the last cycle all of them, or ever again those that have come since.
  *
  *   tb_recording_header
+ *   tb_layout_row       header.layout_rows rows: the description of everything else (layout.h)
  *   tb_segment          TB_RECORDER_SEGMENTS places, the newest segment in the place of the oldest
  *
  * A segment has a checksum of its own, so that what was written before a failure can be used. All are
- * the C structs of the machine that recorded, with its byte order and its real_t; the header tells
- * their sizes, so that a reader refuses what it would misread. lab/flight/recording.py is a reader. */
+ * the C structs of the machine that recorded, with its byte order and its real_t; a reader takes them
+ * apart by the names in the description. lab/flight/recording.py is a reader. */
 #ifndef TB_RECORDER_H
 #define TB_RECORDER_H
 
 #include <stddef.h>
 #include <stdint.h>
 
+#include "layout.h"
 #include "supervisor.h"
 #include "tb_machine.h"
 
@@ -38,7 +40,7 @@ extern "C" {
 #endif
 
 #define TB_RECORDING_MAGIC "TBFLIGHT"
-#define TB_RECORDING_VERSION 2u
+#define TB_RECORDING_VERSION 3u
 #define TB_RECORDING_BYTE_ORDER 0x01020304u
 #define TB_RECORDING_NAME 64 /* bytes, filled up with 0 */
 
@@ -71,24 +73,29 @@ typedef struct {
     tb_segment segments[TB_RECORDER_SEGMENTS];
 } tb_recorder;
 
-/** First piece of a recording. */
+/** Beginning of a recording. The layout of this struct is part of the version; the layouts of all
+ *  others are in the description. */
 typedef struct {
     char magic[8];
     uint32_t version;
     uint32_t byte_order;
-    uint32_t real_size; /* bytes of the C types, here and below */
-    uint32_t head_size; /* of tb_segment before its cycles */
-    uint32_t supervisor_size;
-    uint32_t observation_size;
-    uint32_t orders_size;
-    uint32_t cycle_size;     /* of tb_recorded_cycle */
-    uint32_t segment_size;   /* of tb_segment */
-    uint32_t segment_cycles; /* most in a segment */
-    uint32_t segments;       /* places in use */
-    uint32_t ended;          /* 1: all that was recorded is here; 0 while more may come */
+    uint32_t layout_rows;     /* of the description, which follows the header */
+    uint32_t layout_checksum; /* CRC-32 of the description */
+    uint32_t head_size;       /* bytes of tb_segment before its cycles */
+    uint32_t segment_size;    /* bytes of tb_segment */
+    uint32_t segment_cycles;  /* most in a segment */
+    uint32_t segments;        /* places in use */
+    uint32_t ended;           /* 1: all that was recorded is here; 0 while more may come */
     char machine[TB_RECORDING_NAME];
     char hash[TB_RECORDING_NAME];
 } tb_recording_header;
+
+/** The description of what is recorded. */
+extern const tb_layout_row tb_recording_layout[];
+extern const uint32_t tb_recording_layout_rows;
+
+/** Bytes of a file with so many segments. */
+size_t tb_recording_size(uint32_t segments);
 
 /** Forget everything. The next cycle is number 0 and starts from the supervisor's memory as it is. */
 void tb_recorder_start(tb_recorder *recorder, const tb_supervisor *supervisor);
@@ -114,6 +121,7 @@ typedef struct {
     uint32_t cycles;   /* of it that were read */
     uint32_t checksum; /* of its memory and these */
     uint32_t stage;
+    uint32_t described; /* 1 once the description was read */
     tb_recording_header header;
     tb_segment_head head;
 } tb_recorder_reader;

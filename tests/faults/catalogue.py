@@ -435,7 +435,7 @@ def buses(number: int, name: str, drives: tuple[int, ...], divider: int) -> Iter
     strange = (Sign("STRANGER", str(BOOTED), everywhere),)
     delayed = Disturbance(Mishap.DELAY, divider)
     twice = (Sign("DRIVE_STATE", str(TRIAL), (TRY_BASES,)),) if number == 2 else ()
-    yield fault("off", lost, becomes(BusState.OFF), deaf=True)
+    yield fault("off", lost, becomes(BusState.BUS_OFF), deaf=True)
     yield fault("device gone", lost, becomes(BusState.NOT_OPEN), deaf=True)
     yield fault("error passive", (), becomes(BusState.ERROR_PASSIVE))
     yield fault("full", full, becomes(BusState.ERROR_ACTIVE, full=True), deaf=True)

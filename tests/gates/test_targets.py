@@ -18,14 +18,14 @@ from turnbuckle.codegen.compile import FLAGS, PRECISIONS
 from turnbuckle.codegen.generate import MANIFEST
 from turnbuckle.codegen.hard_cases import HardSampler
 from turnbuckle.codegen.verify import call
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 from turnbuckle.model.machine import Machine
 
 RUNTIME = Path(__file__).parents[2] / "runtime"
 PARTS = ("core", "canopen", "can", "port/linux")
 SEAL = RUNTIME / "port" / "linux" / "seal.c"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Werror"]
-FAULT = STATES.index("FAULT")
+FAULT = State.FAULT
 POINTS = 400
 
 

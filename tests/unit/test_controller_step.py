@@ -1,6 +1,7 @@
 """The controller step: safe whatever it reads, and back without a jump when it can read again."""
 
 import math
+import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -10,7 +11,8 @@ from motion import committed, recorded, with_defect
 from numpy.typing import NDArray
 
 from turnbuckle.codegen.bind import Generated
-from turnbuckle.codegen.controller import UNCOMPENSATED, Controller, Outputs
+from turnbuckle.codegen.controller import RUNTIME_CORE, UNCOMPENSATED, Controller, Outputs
+from turnbuckle.codegen.struct_layout import LayoutError
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Status
 
@@ -165,8 +167,10 @@ def test_torques_go_to_the_minimum_tension_at_the_rate_of_the_gate(
 def speeds(machine: Machine, controller: Controller) -> NDArray[np.float64]:
     """Every speed the controller remembers, at the cables and along the rails [m/s]."""
     memory = controller.memory[0]
-    at_cables = [memory["length_rates"], machine.drum.radius * memory["observer"][:, 1]]
-    return np.concatenate([*at_cables, memory["rail_rates"], memory["base"][:, 2]]).astype(float)
+    observer = memory["observer"].reshape(-1, 5)  # TB_OBSERVER_MEMORY
+    base = memory["base"].reshape(-1, 3)  # TB_BASE_MEMORY
+    at_cables = [memory["length_rates"], machine.drum.radius * observer[:, 1]]
+    return np.concatenate([*at_cables, memory["rail_rates"], base[:, 2]]).astype(float)
 
 
 def test_a_reading_lost_in_a_steady_movement_changes_no_speed(
@@ -312,13 +316,61 @@ def test_a_recording_gives_the_same_bits_cycle_by_cycle(
             assert (value == getattr(together, name)[cycle]).all(), (name, cycle)
 
 
-def test_a_library_of_another_layout_is_refused(
-    generated: Generated, monkeypatch: pytest.MonkeyPatch
+SWAPPED = {
+    "two forces": (
+        "real_t wanted_force[TB_DOF];       /* N, walls + application */\n"
+        "    real_t delivered_force[TB_DOF];    /* N, what the commanded tensions give */",
+        "real_t delivered_force[TB_DOF]; real_t wanted_force[TB_DOF];",
+    ),
+    "tension and disturbance": (
+        "real_t tension[TB_CABLES];         /* N, commanded */\n"
+        "    real_t disturbance[TB_CABLES];     /* N m,",
+        "real_t disturbance[TB_CABLES]; real_t tension[TB_CABLES]; /*",
+    ),
+    "two inputs": (
+        "real_t force[TB_DOF];        /* N, force on the platform that the application wants */",
+        "uint32_t another; real_t force[TB_DOF];",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SWAPPED)
+def test_members_are_read_by_their_names_wherever_the_c_puts_them(
+    name: str, generated: Generated, controller: Controller, tmp_path: Path
 ) -> None:
-    wrong = {"double": np.float32, "float": np.float64}
-    monkeypatch.setattr("turnbuckle.codegen.controller.REALS", wrong)
-    with pytest.raises(RuntimeError, match=r"tb_inputs has \d+ bytes in the library"):
-        Controller(generated)
+    core = core_with(tmp_path, *SWAPPED[name])
+    inputs = recorded(generated.machine, controller, 40, seed=3)
+    wanted = run(controller, inputs)
+    other = Controller(generated, core)
+    moved = other.recording(len(inputs))
+    for member in inputs.dtype.names or ():
+        moved[member] = inputs[member]
+    assert (other.inputs_layout, other.outputs_layout) != (
+        controller.inputs_layout,
+        controller.outputs_layout,
+    )
+    assert np.any(wanted.wanted_force != wanted.delivered_force)
+    for one, two in zip(wanted, run(other, moved), strict=True):
+        assert np.array_equal(one, two)
+
+
+def test_a_member_that_the_c_no_longer_has_is_named(generated: Generated, tmp_path: Path) -> None:
+    core = core_with(tmp_path, "TB_LAYOUT_NUMBERS(outputs, tension)", "")
+    with pytest.raises(LayoutError, match=r"^tb_outputs has no member tension$"):
+        Controller(generated, core)
+
+
+def core_with(folder: Path, right: str, wrong: str) -> Path:
+    """A copy of the runtime's core with a change in one of its headers."""
+    core = folder / "core"
+    shutil.copytree(RUNTIME_CORE, core)
+    changed = 0
+    for path in core.glob("*.h"):
+        text = path.read_text()
+        changed += text.count(right)
+        path.write_text(text.replace(right, wrong))
+    assert changed == 1
+    return core
 
 
 Check = Callable[[Machine, Controller], None]

@@ -2,33 +2,40 @@
 
 import csv
 import ctypes
+import shutil
 import struct
+import zlib
 from pathlib import Path
 
 import numpy as np
 import pytest
 from flown import SEGMENT_CYCLES, SEGMENTS, Flight, Follower, library_file
+from numpy.typing import NDArray
 from pyarrow import parquet
 from supervised import CORE, RESET, STOCK, Cause, Observation, Power, State
 from typer.testing import CliRunner
 
-from turnbuckle.codegen.bind import REALS
 from turnbuckle.codegen.compile import compile_library
+from turnbuckle.codegen.struct_layout import ROW, STRUCT
 from turnbuckle.command_line import app
 from turnbuckle.lab.flight import FlightError
 from turnbuckle.lab.flight.recording import (
     HEADER,
-    SEGMENT,
-    Layout,
+    Places,
     Recording,
     checksum_of,
-    cycle_layout,
+    header_of,
+    layouts_of,
+    places_of,
     read_recording,
 )
-from turnbuckle.lab.flight.replay import Supervisor, compile_supervisor, run_again
+from turnbuckle.lab.flight.replay import (
+    Supervisor,
+    compile_supervisor,
+    run_again,
+    supervisor_sources,
+)
 from turnbuckle.lab.flight.table import times
-from turnbuckle.lab.flight.words import cause_names, words
-from turnbuckle.model.reading import load_machine
 
 MACHINE = STOCK.parents[1] / "machines" / "yoon2023.toml"
 
@@ -78,15 +85,26 @@ def supervisor() -> Supervisor:
     return Supervisor(library_file())
 
 
+def places(content: bytes) -> Places:
+    """Where everything is in a recording."""
+    header = header_of(Path(), content)
+    return places_of(Path(), content, header, layouts_of(Path(), content, header))
+
+
 def sealed(content: bytes, segment: int) -> bytes:
     """A changed recording with the right checksum of a segment."""
-    header = np.frombuffer(content, HEADER, 1)[0]
-    at = HEADER.itemsize + segment * int(header["segment_size"])
-    count = int(np.frombuffer(content, SEGMENT, 1, at)[0]["count"])
-    end = at + int(header["head_size"]) + count * int(header["cycle_size"])
+    found = places(content)
+    at, end = place_of(found, segment)
     changed = bytearray(content)
-    struct.pack_into("<I", changed, at + 12, checksum_of(content, at, end))
+    struct.pack_into("<I", changed, at + 12, checksum_of(content, found.segment, at, end))
     return bytes(changed)
+
+
+def place_of(found: Places, segment: int) -> tuple[int, int]:
+    """Where a segment begins, and where its last cycle ends."""
+    at = found.begin + segment * found.size
+    count = int(np.frombuffer(found.content, found.segment, 1, at)[0]["count"])
+    return at, at + found.head + count * found.cycle.itemsize
 
 
 def test_a_recording_is_read_as_it_was_recorded(recording: Recording) -> None:
@@ -112,42 +130,6 @@ def test_every_order_is_the_same_again_to_the_bit(
     found = run_again(recording, supervisor)
     assert found.difference is None
     assert found.matched == len(recording.numbers) > 5000
-
-
-PLACES = """
-#include "recorder.h"
-size_t places[] = {
-    sizeof(tb_recording_header), sizeof(tb_recorded_cycle),
-    sizeof(tb_drive_report), sizeof(tb_drive_order), offsetof(tb_segment, before),
-    offsetof(tb_drive_report, fresh), offsetof(tb_drive_report, detail),
-    offsetof(tb_observation, force), offsetof(tb_observation, missed),
-    offsetof(tb_orders, controller), offsetof(tb_orders, slack), offsetof(tb_orders, cause),
-    offsetof(tb_orders, detail)};
-"""
-
-
-def place(layout: Layout, field: str) -> int:
-    """Where a field begins [bytes]."""
-    assert layout.fields is not None
-    return int(layout.fields[field][1])
-
-
-@pytest.mark.parametrize("precision", REALS)
-def test_the_layouts_are_those_of_the_c(precision: str, tmp_path: Path) -> None:
-    cycle = cycle_layout(load_machine(MACHINE), precision)
-    seen, orders = cycle["seen"], cycle["orders"]
-    report, order = seen["drives"].base, orders["drives"].base
-    wanted = [
-        *(layout.itemsize for layout in (HEADER, cycle, report, order, SEGMENT)),
-        *(place(report, name) for name in ("fresh", "detail")),
-        *(place(seen, name) for name in ("force", "missed")),
-        *(place(orders, name) for name in ("controller", "slack", "cause", "detail")),
-    ]
-    source = tmp_path / "places.c"
-    source.write_text(PLACES)
-    library = ctypes.CDLL(str(compile_library([source], [STOCK, CORE], precision)))
-    found = (ctypes.c_size_t * len(wanted)).in_dll(library, "places")
-    assert list(found) == wanted
 
 
 @pytest.mark.parametrize("field", ["torque", "goal"])
@@ -202,7 +184,7 @@ def copied(recording: Recording) -> Recording:
         for segment in recording.segments
     ]
     return type(recording)(
-        recording.path, recording.machine, recording.hash, recording.precision, segments
+        recording.path, recording.machine, recording.hash, recording.layouts, segments
     )
 
 
@@ -270,17 +252,17 @@ def bytes_of(recording: Recording) -> bytes:
 def test_of_a_recording_cut_anywhere_every_whole_cycle_is_read(
     content: bytes, recording: Recording, supervisor: Supervisor, tmp_path: Path
 ) -> None:
-    header = np.frombuffer(content, HEADER, 1)[0]
-    head, size, cycle = (int(header[f"{n}_size"]) for n in ("head", "segment", "cycle"))
-    first = HEADER.itemsize + head
+    there = places(content)
+    head, size, cycle = there.head, there.size, there.cycle.itemsize
+    first = there.begin + head
     path = tmp_path / "cut.dump"
     random = np.random.default_rng(2)
     anywhere = random.integers(first + cycle, len(content), 9)
     for cut in (first + cycle, first + size, len(content) // 2, *anywhere):
         path.write_bytes(content[: int(cut)])
         found = read_recording(path, MACHINE)
-        places, rest = divmod(int(cut) - HEADER.itemsize, size)
-        whole = places * SEGMENT_CYCLES + max(0, min(SEGMENT_CYCLES, (rest - head) // cycle))
+        full, rest = divmod(int(cut) - there.begin, size)
+        whole = full * SEGMENT_CYCLES + max(0, min(SEGMENT_CYCLES, (rest - head) // cycle))
         whole = min(whole, len(recording.numbers))
         assert np.array_equal(found.numbers, recording.numbers[:whole])
         assert bytes_of(found) == bytes_of(recording)[: whole * cycle]
@@ -290,7 +272,7 @@ def test_of_a_recording_cut_anywhere_every_whole_cycle_is_read(
         assert whole - SEGMENT_CYCLES < again.matched <= whole
 
 
-@pytest.mark.parametrize("size", [8, 100, HEADER.itemsize, HEADER.itemsize + 20, 4800])
+@pytest.mark.parametrize("size", [8, 100, HEADER.itemsize, HEADER.itemsize + 20, 23_000])
 def test_a_recording_without_a_whole_cycle_is_refused(
     content: bytes, tmp_path: Path, size: int
 ) -> None:
@@ -304,10 +286,10 @@ def test_a_damaged_segment_is_left_out_and_the_others_are_read(
     content: bytes, recording: Recording, tmp_path: Path
 ) -> None:
     path = tmp_path / "damaged.dump"
-    header = np.frombuffer(content, HEADER, 1)[0]
-    for place in (0, 9, 13, 20, int(header["head_size"]) + 100_000):
+    there = places(content)
+    for place in (0, 9, 13, 20, there.head + 100_000):
         damaged = bytearray(content)
-        damaged[HEADER.itemsize + 3 * int(header["segment_size"]) + place] ^= 0x10
+        damaged[there.begin + 3 * there.size + place] ^= 0x10
         path.write_bytes(damaged)
         found = read_recording(path, MACHINE)
         assert found.flaws == ["damaged: 1 segment is left out"]
@@ -358,7 +340,7 @@ def test_log_makes_a_table_and_a_picture_of_what_is_left(
 ) -> None:
     path, random = tmp_path / "spoilt.dump", np.random.default_rng(seed)
     spoilt = bytearray(content[: len(content) * (2 + 3 * seed) // 6])
-    for place in random.integers(HEADER.itemsize, len(spoilt), 50):
+    for place in random.integers(places(content).begin, len(spoilt), 50):
         spoilt[place] ^= 1 << int(random.integers(8))
     path.write_bytes(spoilt)
     table, picture = tmp_path / "log.csv", tmp_path / "log.png"
@@ -372,13 +354,13 @@ def test_log_makes_a_table_and_a_picture_of_what_is_left(
     ("name", "value", "words_of_refusal"),
     [
         ("magic", b"PK", "no flight recording"),
-        ("version", 1, "version 1; allowed: 2"),
+        ("version", 2, "version 2; allowed: 3"),
         ("byte_order", 0x04030201, "other byte order"),
-        ("real_size", 16, "16 bytes; allowed: 4 or 8"),
-        ("real_size", 4, "has changed since"),
-        ("orders_size", 8, "has changed since"),
+        ("layout_rows", 7, "the description of its structs has another checksum"),
+        ("layout_rows", 2**32 - 1, "cut off after"),
+        ("layout_checksum", 0, "the description of its structs has another checksum"),
         ("machine", b"brau_five", "of machine 'brau_five'; .* is 'yoon2023'"),
-        ("head_size", 8, "behind 8 bytes do not fit"),
+        ("head_size", 8, "behind 8 bytes do not *fit"),
         ("head_size", 2**32 - 1, "do not fit into"),
         ("segment_size", 1000, "do not fit into the 1000 bytes"),
         ("segment_cycles", 0, "0 cycles"),
@@ -398,19 +380,113 @@ def test_a_header_that_is_not_ours_is_refused(
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize("lie", [0, 7, 2**32 - 1])
-def test_a_header_that_lies_about_the_memory_costs_the_replay_alone(
-    content: bytes, recording: Recording, supervisor: Supervisor, tmp_path: Path, lie: int
-) -> None:
+def described(content: bytes, struct: str, member: str, **changes: object) -> bytes:
+    """A recording whose description tells something else of a member."""
     header = np.frombuffer(content, HEADER, 1).copy()
-    header["supervisor_size"] = lie
-    path = tmp_path / "lying.dump"
-    path.write_bytes(header.tobytes() + content[HEADER.itemsize :])
-    found = read_recording(path, MACHINE)
-    assert bytes_of(found) == bytes_of(recording)
-    if lie < int(np.frombuffer(content, HEADER, 1)[0]["supervisor_size"]):
-        with pytest.raises(FlightError, match="in this version of turnbuckle"):
-            run_again(found, supervisor)
+    rows = np.frombuffer(content, ROW, int(header["layout_rows"][0]), HEADER.itemsize).copy()
+    first = int(np.flatnonzero((rows["name"] == struct.encode()) & (rows["kind"] == STRUCT))[0])
+    at = first + 1 + int(np.flatnonzero(rows["name"][first + 1 :] == member.encode())[0])
+    for name, value in changes.items():
+        rows[name][at] = value
+    header["layout_checksum"] = zlib.crc32(rows)
+    rest = content[HEADER.itemsize + rows.nbytes :]
+    return header.tobytes() + rows.tobytes() + rest
+
+
+@pytest.mark.parametrize(
+    ("struct", "member"), [("orders", "cause"), ("drive_report", "power"), ("outputs", "pose")]
+)
+def test_a_recording_without_a_member_that_is_read_is_refused_by_its_name(
+    content: bytes, tmp_path: Path, struct: str, member: str
+) -> None:
+    path = tmp_path / "other.dump"
+    path.write_bytes(described(content, struct, member, name=b"another"))
+    wanted = f"{path}: recorded by a program of version .*: tb_{struct} has no member {member}, "
+    with pytest.raises(FlightError, match=wanted) as refusal:
+        read_recording(path, MACHINE)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words_of_refusal"),
+    [
+        ({"at": 2**31}, "tb_orders is described wrongly"),
+        ({"size": 3}, "member 'cause' is described wrongly"),
+        ({"count": 2**31}, "tb_orders is described wrongly"),
+        ({"kind": 0}, "member 'cause' is described wrongly"),
+    ],
+)
+def test_a_description_that_contradicts_itself_is_refused(
+    content: bytes, tmp_path: Path, changes: dict[str, object], words_of_refusal: str
+) -> None:
+    path = tmp_path / "other.dump"
+    path.write_bytes(described(content, "orders", "cause", **changes))
+    with pytest.raises(FlightError, match=words_of_refusal) as refusal:
+        read_recording(path, MACHINE)
+    assert "\n" not in str(refusal.value)
+
+
+SWAPPED = (
+    "    uint8_t state;           /* tb_state */\n    uint8_t phase;           /* tb_phase */\n",
+    "    uint8_t phase;\n    uint8_t state;\n",
+)
+
+
+def test_members_that_the_c_swaps_are_read_by_their_names_and_not_replayed_by_other_c(
+    content: bytes, recording: Recording, tmp_path: Path
+) -> None:
+    core = tmp_path / "core"
+    shutil.copytree(CORE, core)
+    text = (core / "cycle.h").read_text()
+    assert text.count(SWAPPED[0]) == 1
+    (core / "cycle.h").write_text(text.replace(*SWAPPED))
+    library = compile_library(supervisor_sources(STOCK, core), [STOCK, core])
+    swapped = Supervisor(library)
+    layout, moved = (
+        one.struct("orders").fields or {} for one in (recording.layouts, swapped.layouts)
+    )
+    assert (layout["state"][1], layout["phase"][1]) == (moved["phase"][1], moved["state"][1])
+    with pytest.raises(
+        FlightError, match=r"tb_recorded_cycle\.orders\.state is laid out otherwise"
+    ):
+        run_again(recording, swapped)
+    path = tmp_path / "swapped.dump"
+    path.write_bytes(moved_as(content, recording, rows_in(library)))
+    again = read_recording(path, MACHINE)
+    for name in ("state", "phase"):
+        found, wanted = (one.cycles["orders"][name] for one in (again, recording))
+        assert np.array_equal(found, wanted)
+
+
+def rows_in(library: Path) -> NDArray[np.void]:
+    """The description in a library."""
+    loaded = ctypes.CDLL(str(library))
+    count = ctypes.c_uint32.in_dll(loaded, "tb_recording_layout_rows").value
+    content = (ctypes.c_char * (count * ROW.itemsize)).in_dll(loaded, "tb_recording_layout")
+    return np.frombuffer(bytes(content), ROW)
+
+
+def moved_as(content: bytes, recording: Recording, rows: NDArray[np.void]) -> bytes:
+    """The recording that a program would have written whose C swaps state and phase."""
+    header = np.frombuffer(content, HEADER, 1).copy()
+    header["layout_checksum"] = zlib.crc32(rows)
+    begin = HEADER.itemsize + rows.nbytes
+    changed = bytearray(header.tobytes() + rows.tobytes() + content[begin:])
+    there = places(content)
+    offset = {name: 0 for name in ("state", "phase")}
+    for name in offset:
+        cycle, orders = (recording.layouts.struct(n).fields for n in ("recorded_cycle", "orders"))
+        assert cycle is not None and orders is not None
+        offset[name] = cycle["orders"][1] + orders[name][1]
+    for segment in range(len(recording.segments)):
+        at, end = place_of(there, segment)
+        for cycle_at in range(at + there.head, end, there.cycle.itemsize):
+            one, two = (cycle_at + place for place in offset.values())
+            changed[one], changed[two] = changed[two], changed[one]
+        struct.pack_into(
+            "<I", changed, at + 12, checksum_of(bytes(changed), there.segment, at, end)
+        )
+    return bytes(changed)
 
 
 def test_a_header_that_tells_of_more_segments_than_there_are_is_told(
@@ -432,13 +508,11 @@ def test_replay_says_that_every_cycle_matched(dump: Path, recording: Recording) 
 
 
 def test_replay_names_the_first_difference(content: bytes, tmp_path: Path) -> None:
-    header = np.frombuffer(content, HEADER, 1)[0]
-    number = int(header["segments"]) - 1
-    at = HEADER.itemsize + number * int(header["segment_size"])
-    count = int(np.frombuffer(content, SEGMENT, 1, at)[0]["count"])
-    end = at + int(header["head_size"]) + count * int(header["cycle_size"])
+    number = int(np.frombuffer(content, HEADER, 1)[0]["segments"]) - 1
+    there = places(content)
+    _, end = place_of(there, number)
     spoilt = bytearray(content)
-    spoilt[end - int(header["orders_size"]) + 7] ^= 0x80  # the sign of the first drive's torque
+    spoilt[end - there.cycle["orders"].itemsize + 7] ^= 0x80  # sign of the first drive's torque
     path = tmp_path / "spoilt.dump"
     path.write_bytes(sealed(bytes(spoilt), number))
     result = CliRunner().invoke(app, ["replay", str(path), str(MACHINE)])
@@ -497,9 +571,11 @@ def test_a_log_of_another_kind_is_refused(dump: Path, tmp_path: Path) -> None:
     assert "allowed: .csv, .parquet" in result.stderr
 
 
-def test_the_words_are_those_of_the_headers() -> None:
-    assert words("tb_state", "core/cycle.h")[State.SOFT_STOP] == "soft stop"
-    assert cause_names()[Cause.CABLE_BREAK] == "cable break"
+def test_the_words_are_those_of_the_description(recording: Recording) -> None:
+    assert recording.layouts.word("state", State.SOFT_STOP) == "soft stop"
+    assert recording.layouts.word("cause", Cause.CABLE_BREAK) == "cable break"
+    assert recording.layouts.word("cause", 250) == "250"
+    assert recording.layouts.word("bus_state", 3) == "off"
 
 
 def test_time_goes_on_over_skipped_cycles(recording: Recording) -> None:

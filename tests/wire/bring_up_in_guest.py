@@ -25,7 +25,7 @@ from turnbuckle.lab.bus_tap import SetpointWatch
 from turnbuckle.lab.drives.simulated_clock import SimulatedClock
 from turnbuckle.lab.live.simulated import Application, Bench, open_port
 from turnbuckle.lab.live.telemetry import Telemetry, running
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 from turnbuckle.lab.machine_sim import SimulatedMachine
 
 UNPLUGGED = "vcan1"
@@ -93,7 +93,7 @@ class Run:
         cycle = None if self._telemetry is None else self._telemetry.latest()
         if self._telemetry is None or cycle is None:
             return
-        state = STATES[int(cycle["state"])]
+        state = State(int(cycle["state"])).name
         if self.told.states[-1:] != [state]:
             self.told.states.append(state)
             self.told.cause = self._telemetry.status()["cause"].decode()

@@ -23,8 +23,8 @@ from running import BUSES, Running, running
 from serial_line import SerialLine, connected
 
 from turnbuckle.codegen.compile import compile_library
+from turnbuckle.lab import lockstep
 from turnbuckle.lab.live.program import compile_machine
-from turnbuckle.lab.live.words import STATES
 from turnbuckle.places import RUNTIME
 
 PATIENCE = 10.0
@@ -387,7 +387,7 @@ def test_a_program_opens_an_interface_that_came_back_at_a_reset() -> None:
     with running(program(), buses) as run:
         run.await_cycles(5)
         ip("link", "set", "vcan1", "down")
-        run.await_state(STATES.index("FAULT"))
+        run.await_state(lockstep.State.FAULT)
         await_that(run, lambda: cause().endswith("bring it back, then reset: that opens it again"))
         assert cause().startswith("bus cable2: ")
         run.telemetry.ask("reset")

@@ -18,7 +18,7 @@ from typer.testing import CliRunner, Result
 from turnbuckle.command_line import app
 from turnbuckle.lab.live.program import compile_machine
 from turnbuckle.lab.live.telemetry import Request
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 
 ROOT = Path(__file__).parents[2]
 REQUESTS: tuple[Request, ...] = ("arm", "stop", "reset")
@@ -59,7 +59,7 @@ def assert_refused(result: Result, *words: str) -> None:
 
 
 def test_one_picture_shows_state_drives_buses_and_times(watched: Running, stock_file: Path) -> None:
-    watched.await_state(STATES.index("FAULT"))
+    watched.await_state(State.FAULT)
     shown = turnbuckle("monitor", stock_file, "--once", "--telemetry", watched.telemetry.path)
     assert shown.exit_code == 0
     for words in ("yoon2023", "FAULT", "did not boot", "cable_1", "base_4", "cable2"):
@@ -158,7 +158,7 @@ def test_a_monitor_that_comes_first_says_for_what_it_waits_and_then_watches(
         first = monitor.stdout.readline()
         assert str(path) in first and "turnbuckle run" in first
         with running(program, lines.options) as run:
-            run.await_state(STATES.index("FAULT"))
+            run.await_state(State.FAULT)
             run.end(signal.SIGTERM)
             shown = monitor.stdout.read()
         assert monitor.wait() == 0

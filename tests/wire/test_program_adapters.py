@@ -15,10 +15,10 @@ from serial_line import Adapter, BootingDrives, FarEnd, SerialLine
 from turnbuckle.codegen.compile import compile_program
 from turnbuckle.lab.live.program import FOLDERS, compile_machine
 from turnbuckle.lab.live.telemetry import Record
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 from turnbuckle.places import RUNTIME
 
-FAULT = STATES.index("FAULT")
+FAULT = State.FAULT
 UNPLUGGED = "cable2"
 ERROR_ACTIVE, NOT_OPEN = 0, 4
 
@@ -114,7 +114,7 @@ def test_drives_behind_an_adapter_that_ends_lines_with_a_line_feed_too_boot(
     with running(program, options(sockets)) as run:
         run.await_state(FAULT)
         states = {int(cycle["state"]) for cycle in cycles(run)}
-        assert STATES.index("IDENTIFY") in states
+        assert State.IDENTIFY in states
         assert "did not boot, or does not answer" in cause(run)
         assert not run.telemetry.status()["buses"]["malformed"].any()
 
@@ -231,7 +231,7 @@ def reset_in_vain(run: Running) -> None:
 
 def last_in(run: Running, state: str) -> int:
     """Number of the last cycle in a state, of those that are still there; -1 for none."""
-    number = STATES.index(state)
+    number = State[state]
     return max((int(each["number"]) for each in cycles(run) if each["state"] == number), default=-1)
 
 

@@ -17,10 +17,10 @@ from test_master_and_peer import COUNTS, DEPTH, WALL, into_the_wall
 from turnbuckle.lab.drives.simulated_clock import SimulatedClock
 from turnbuckle.lab.live.program import compile_machine
 from turnbuckle.lab.live.telemetry import Telemetry
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 from turnbuckle.model.machine import Machine
 
-RUN, FAULT = STATES.index("RUN"), STATES.index("FAULT")
+RUN, FAULT = State.RUN, State.FAULT
 PIECE = round(20e-6 / NANO)
 PRESSED = 1300
 """Cycles in which the hand has gone into the wall."""

@@ -20,10 +20,10 @@ from running import Lines, Running, running, silent_lines
 from turnbuckle.codegen.compile import compile_program
 from turnbuckle.lab.live.program import FOLDERS, compile_machine
 from turnbuckle.lab.live.telemetry import Telemetry
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 from turnbuckle.places import RUNTIME
 
-FAULT = STATES.index("FAULT")
+FAULT = State.FAULT
 PORT = RUNTIME / "port" / "linux"
 CYCLIC = {"clock_nanosleep", "clock_gettime", "read", "write", "ioctl"}
 """System calls that the loop may make: sleep, frames, the length of a line's queue."""
@@ -120,12 +120,12 @@ def test_a_line_that_disappears_is_a_fault_that_names_its_bus(program: Path, lin
 def test_a_stalled_program_counts_the_cycles_it_missed(program: Path, lines: Lines) -> None:
     with running(program, lines.real_time_options) as run:
         run.await_cycles(50)
-        before = run.telemetry.status()
+        before = run.telemetry.status()["times"]
         run.process.send_signal(signal.SIGSTOP)
         stopped_for(run)
         run.process.send_signal(signal.SIGCONT)
         run.await_cycles(50)
-        after = run.telemetry.status()
+        after = run.telemetry.status()["times"]
         assert int(after["longest_gap"]) >= 20
         assert int(after["missed"]) - int(before["missed"]) >= int(after["longest_gap"])
         assert int(after["lateness"]["bins"][-1]) >= 1
@@ -147,7 +147,7 @@ def test_every_wake_up_and_every_computation_is_in_the_histogram(
         run.process.wait()
         status = run.telemetry.status()
         for name in ("lateness", "computing"):
-            histogram = status[name]
+            histogram = status["times"][name]
             assert histogram["bins"].sum() == histogram["count"] == status["published"]
             assert 0 <= histogram["least"] <= histogram["sum"] / histogram["count"]
             assert histogram["sum"] / histogram["count"] <= histogram["most"]

@@ -14,7 +14,7 @@ from running import PATIENCE
 
 from turnbuckle.lab.live import LiveError
 from turnbuckle.lab.live.telemetry import Telemetry
-from turnbuckle.lab.live.words import STATES
+from turnbuckle.lab.lockstep import State
 
 ROOT = Path(__file__).parents[2]
 COMMAND = [sys.executable, "-m", "turnbuckle"]
@@ -97,9 +97,9 @@ def await_state(process: "subprocess.Popen[str]", shared: Path, name: str) -> Te
         except LiveError:
             continue
         cycle = telemetry.latest()
-        if cycle is not None and cycle["state"] == STATES.index(name):
+        if cycle is not None and cycle["state"] == State[name]:
             return telemetry
-        if cycle is not None and cycle["state"] == STATES.index("FAULT"):
+        if cycle is not None and cycle["state"] == State.FAULT:
             pytest.fail(telemetry.status()["cause"].decode())
         telemetry.close()
     pytest.fail(str(process.communicate()))

@@ -112,7 +112,7 @@ def digest_of_cycles(path: Path) -> str:
     """Of the telemetry that a program has left."""
     telemetry = Telemetry(path)
     published = int(telemetry.status()["published"])
-    assert published >= CYCLES and telemetry.status()["missed"] == 0
+    assert published >= CYCLES and telemetry.status()["times"]["missed"] == 0
     cycles = (telemetry.cycle(number) for number in range(published))
     digest = hashlib.blake2b(b"".join(cycle.tobytes() for cycle in cycles if cycle is not None))
     telemetry.close()

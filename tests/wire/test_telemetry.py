@@ -4,26 +4,17 @@ import os
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from typer.testing import CliRunner
 
 from turnbuckle.codegen.compile import compile_program
+from turnbuckle.codegen.struct_layout import ROW, STRUCT
 from turnbuckle.command_line import app
 from turnbuckle.lab.live import LiveError, NothingYetError
 from turnbuckle.lab.live.program import FOLDERS
-from turnbuckle.lab.live.telemetry import (
-    BUS,
-    COUNTS,
-    DRIVE,
-    MAGIC,
-    Record,
-    Telemetry,
-    layout_of,
-    rates,
-)
+from turnbuckle.lab.live.telemetry import BEGINNING, MAGIC, Record, Telemetry, rates
 from turnbuckle.places import RUNTIME
 
 WRITER = Path(__file__).with_name("telemetry_writer.c")
@@ -34,8 +25,9 @@ READINGS = 8_000
 
 def compile_writer(folder: Path, port: Path) -> Path:
     """The writer, with the telemetry of a folder like runtime/port/linux."""
-    sources = [WRITER, port / "telemetry.c", PORT / "histogram.c", PORT / "say.c"]
-    return compile_program([*sources, folder / "tb_drives.c"], [folder, *FOLDERS])
+    names = ("telemetry.c", "telemetry_layout.c", "histogram.c", "say.c")
+    sources = [port / name if (port / name).exists() else PORT / name for name in names]
+    return compile_program([WRITER, *sources, folder / "tb_drives.c"], [folder, port, *FOLDERS])
 
 
 @pytest.fixture(scope="module")
@@ -129,51 +121,58 @@ def test_the_machine_and_its_names_are_in_the_file(written: Telemetry) -> None:
     assert written.bus_names == ["cable1", "cable2", "base"]
 
 
-def test_every_field_is_where_the_reader_takes_it_from(
-    written: Telemetry, stock_folder: Path, tmp_path: Path
+SWAPPED = {
+    "names.c": (
+        "char machine[TB_TELEMETRY_NAME];\n    char hash[TB_TELEMETRY_NAME];",
+        "char hash[TB_TELEMETRY_NAME];\n    char machine[TB_TELEMETRY_NAME];",
+    ),
+    "rows.c": (
+        "uint64_t published; /* cycles in the ring so far */\n    tb_loop_times times;",
+        "tb_loop_times times;\n    uint64_t published;",
+    ),
+    "cycle.c": (
+        "uint64_t number; /* of the cycle, skipped ones are not counted */\n",
+        "double another[3];\n    uint64_t number;\n",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SWAPPED)
+def test_members_are_read_by_their_names_wherever_the_c_puts_them(
+    name: str, stock_folder: Path, path: Path, tmp_path: Path
 ) -> None:
-    layout = layout_of(written.counts)
-    structs: dict[str, np.dtype[Any]] = {
-        "tb_telemetry_header": COUNTS,
-        "tb_telemetry_status": layout.status,
-        "tb_telemetry_cycle": layout.cycle,
-        "tb_telemetry_inbox": layout.inbox,
-        "tb_telemetry_drive": DRIVE,
-        "tb_telemetry_bus": BUS,
-    }
-    assert c_offsets(structs, stock_folder, tmp_path) == python_offsets(structs)
+    port = port_with(tmp_path, "telemetry.h", *SWAPPED[name])
+    subprocess.run([compile_writer(stock_folder, port), path, "5000"], check=True)
+    telemetry = Telemetry(path)
+    assert (telemetry.machine, len(telemetry.hash)) == ("yoon2023", 16)
+    assert telemetry.status()["published"] == 5000
+    latest = telemetry.latest()
+    assert latest is not None and latest["number"] == 4999
+    telemetry.ask("stop")
+    assert (telemetry.asked("stop"), telemetry.asked("arm")) == (1, 0)
+    telemetry.close()
 
 
-LOOP_TIMES = ("missed", "longest_gap", "lateness", "computing")
-"""Fields that the C keeps in a struct of their own."""
+def test_a_member_that_the_c_no_longer_has_is_named(
+    stock_folder: Path, path: Path, tmp_path: Path
+) -> None:
+    gone = "TB_LAYOUT_NUMBERS(telemetry_cycle, tension)"
+    port = port_with(tmp_path, "telemetry_layout.c", gone, " " * len(gone))
+    subprocess.run([compile_writer(stock_folder, port), path, "5"], check=True)
+    words = f"{path}: written by a program of version .*: tb_telemetry_cycle has no member tension"
+    with pytest.raises(LiveError, match=words):
+        Telemetry(path)
 
 
-def python_offsets(structs: dict[str, np.dtype[Any]]) -> dict[str, int]:
-    """Offset of every field of the reader's records."""
-    offsets = {}
-    for struct, dtype in structs.items():
-        assert dtype.fields is not None
-        for name, (_, offset, *_title) in dtype.fields.items():
-            offsets[f"{struct}.{name}"] = int(offset)
-    return offsets
-
-
-def c_offsets(structs: dict[str, np.dtype[Any]], folder: Path, scratch: Path) -> dict[str, int]:
-    """The same, as the C compiler sees it."""
-    lines = []
-    for struct, dtype in structs.items():
-        for name in dtype.names or ():
-            nested = struct == "tb_telemetry_status" and name in LOOP_TIMES
-            field = f"times.{name}" if nested else name
-            lines.append(f'printf("{struct}.{name} %zu\\n", offsetof({struct}, {field}));')
-    source = scratch / "offsets.c"
-    source.write_text(
-        '#include <stddef.h>\n#include <stdio.h>\n#include "telemetry.h"\n'
-        "int main(void)\n{\n" + "\n".join(lines) + "\nreturn 0;\n}\n"
-    )
-    program = compile_program([source], [folder, *FOLDERS])
-    printed = subprocess.run([program], check=True, capture_output=True, text=True).stdout
-    return {name: int(offset) for name, offset in map(str.split, printed.splitlines())}
+def port_with(folder: Path, name: str, right: str, wrong: str) -> Path:
+    """A copy of what the writer takes of the port, with a change in one of its files."""
+    for each in PORT.glob("telemetry*.[ch]"):
+        text = each.read_text()
+        if each.name == name:
+            assert text.count(right) == 1
+            text = text.replace(right, wrong)
+        (folder / each.name).write_text(text)
+    return folder
 
 
 def test_two_programs_do_not_share_a_file(writer: Path, path: Path) -> None:
@@ -192,7 +191,7 @@ def test_a_file_of_another_version_is_refused(written: Telemetry, path: Path) ->
     content = bytearray(path.read_bytes())
     content[8] += 1
     path.write_bytes(content)
-    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 4; allowed: 3"):
+    with pytest.raises(LiveError, match=f"{path}: found telemetry of version 5; allowed: 4"):
         Telemetry(path)
 
 
@@ -203,15 +202,33 @@ def test_a_file_that_is_no_telemetry_is_refused(path: Path, content: bytes) -> N
         Telemetry(path)
 
 
-@pytest.mark.parametrize("field", ["bytes", "status_at", "cycle_bytes", "slots", "inbox_bytes"])
-def test_a_file_whose_layout_is_another_is_refused(
+@pytest.mark.parametrize("field", ["bytes", "status_at", "slots", "inbox_at", "drives", "dof"])
+def test_a_file_whose_header_contradicts_it_is_refused(
     written: Telemetry, path: Path, field: str
 ) -> None:
-    assert COUNTS.fields is not None
+    fields = written.layouts.struct("telemetry_header").fields
+    assert fields is not None
     content = bytearray(path.read_bytes())
-    content[int(COUNTS.fields[field][1])] ^= 8
+    content[int(fields[field][1]) + 3 * field.endswith("_at")] ^= 8
     path.write_bytes(content)
     with pytest.raises(LiveError, match="allowed: telemetry of a turnbuckle"):
+        Telemetry(path)
+
+
+@pytest.mark.parametrize("changes", [{"at": 2**31}, {"size": 3}, {"kind": 0}, {"count": 2**31}])
+def test_a_description_that_contradicts_itself_is_refused(
+    written: Telemetry, path: Path, changes: dict[str, int]
+) -> None:
+    content = bytearray(path.read_bytes())
+    begins = np.frombuffer(bytes(content), BEGINNING, 1)[0]
+    at, count = int(begins["layout_at"]), int(begins["layout_rows"])
+    rows = np.frombuffer(bytes(content), ROW, count, at).copy()
+    place = int(np.flatnonzero((rows["name"] == b"telemetry_cycle") & (rows["kind"] == STRUCT))[0])
+    for name, value in changes.items():
+        rows[name][place + 1] = value
+    content[at : at + rows.nbytes] = rows.tobytes()
+    path.write_bytes(content)
+    with pytest.raises(LiveError, match=f"{path}: written by .*described wrongly"):
         Telemetry(path)
 
 
@@ -219,7 +236,7 @@ def spoilt_at_random(content: bytes, random: np.random.Generator) -> bytes:
     """Telemetry with other bytes, most of them in its header and its status, cut off perhaps."""
     spoilt = bytearray(content)
     for _ in range(random.integers(1, 6)):
-        most = int(random.choice([8, COUNTS.itemsize, 8192, len(spoilt)]))
+        most = int(random.choice([8, 1024, 24_000, len(spoilt)]))
         spoilt[random.integers(most)] = random.integers(256)
     cut = int(random.integers(len(spoilt))) if random.random() < 0.2 else len(spoilt)
     return bytes(spoilt[:cut])
@@ -265,7 +282,7 @@ def test_rates_on_a_bus_are_in_the_machine_s_own_time(written: Telemetry) -> Non
     before = written.status()
     after = before.copy()
     after["published"] += 90
-    after["missed"] += 10  # time that passed as well
+    after["times"]["missed"] += 10  # time that passed as well
     after["buses"]["sent"] += 200
     after["buses"]["received"] += 300
     after["buses"]["bits"] += 50_000

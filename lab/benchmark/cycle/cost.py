@@ -16,7 +16,7 @@ from turnbuckle.codegen.compile import compile_library
 from turnbuckle.lab.benchmark.cycle.recording import Cycles, Recorder
 from turnbuckle.lab.benchmark.native import ROOT
 from turnbuckle.lab.benchmark.timing import Timing
-from turnbuckle.lab.lockstep import CAN, FOLDERS, PORTABLE_CAN, layouts
+from turnbuckle.lab.lockstep import CAN, FOLDERS, PORTABLE_CAN, layouts_of
 from turnbuckle.model.machine import Machine
 
 REPLAY = ROOT / "lab" / "benchmark" / "cycle" / "replay.c"
@@ -38,7 +38,7 @@ class Replay:
         self.precision = generated.precision
         self._library = replay_library(generated)
         self._memory = ctypes.create_string_buffer(self._library.shim_machine_size())
-        self._view = np.zeros(1, layouts(generated)[1])
+        self._view = np.zeros(1, layouts_of(self._library).struct("view"))
 
     def power_on(self) -> None:
         """Begin anew."""

@@ -18,9 +18,6 @@
 #define MOST_FRESH 1000u
 #define MAGIC_BYTES 8u
 
-static const size_t whole =
-    sizeof(tb_recording_header) + (TB_RECORDER_SEGMENTS * sizeof(tb_segment));
-
 /* printf into a path; false with errno where the path is too long. */
 static bool print_path(char path[PATH_MAX], const char *format, ...)
     __attribute__((format(printf, 2, 3)));
@@ -115,6 +112,7 @@ bool tb_record_file_open(tb_record_file *file, const char *path)
         tb_say("--record %s: cannot be written: %s", path, strerror(errno));
         return false;
     }
+    size_t const whole = tb_recording_size(TB_RECORDER_SEGMENTS);
     int const failure = posix_fallocate(file->descriptor, 0, (off_t)whole);
     if (failure != 0) {
         tb_say("--record %s: no room for %zu bytes: %s", path, whole, strerror(failure));

@@ -97,8 +97,7 @@ static void conclude(tb_writing *writing)
 {
     int const descriptor = writing->with->file->descriptor;
     check(writing, write_piece(descriptor, tb_recorder_close(&writing->reader)));
-    size_t const size = sizeof(tb_recording_header) +
-                        ((size_t)writing->reader.header.segments * sizeof(tb_segment));
+    size_t const size = tb_recording_size(writing->reader.header.segments);
     check(writing, (ftruncate(descriptor, (off_t)size) == 0) && (fdatasync(descriptor) == 0));
 }
 

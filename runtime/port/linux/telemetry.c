@@ -26,14 +26,11 @@ static const tb_telemetry_header blank_header = {
     .rails = TB_RAIL_SLOTS,
     .drives = TB_DRIVES,
     .buses = TB_BUSES,
-    .bins = TB_HISTOGRAM_BINS,
+    .layout_at = offsetof(tb_telemetry_file, layout),
     .status_at = offsetof(tb_telemetry_file, status),
-    .status_bytes = sizeof(tb_telemetry_status),
     .cycles_at = offsetof(tb_telemetry_file, cycles),
-    .cycle_bytes = sizeof(tb_telemetry_cycle),
     .slots = TB_TELEMETRY_CYCLES,
     .inbox_at = offsetof(tb_telemetry_file, inbox),
-    .inbox_bytes = sizeof(tb_telemetry_inbox),
     .has_rails = (TB_RAILS > 0) ? 1u : 0u,
     .period = (double)TB_PERIOD,
     .tension_min = (double)TB_TENSION_MIN,
@@ -49,6 +46,8 @@ static void write_header(tb_telemetry_file *file, bool simulated)
 {
     tb_telemetry_header *const header = &file->header;
     *header = blank_header;
+    header->layout_rows = tb_telemetry_layout_rows;
+    memcpy(file->layout, tb_telemetry_layout, tb_telemetry_layout_rows * sizeof(tb_layout_row));
     header->pid = (uint32_t)getpid();
     header->simulated = simulated ? 1u : 0u;
     memcpy(header->edges, tb_histogram_edges, sizeof header->edges);

@@ -3,6 +3,7 @@
  * The file is memory that both sides map. Neither ever waits for the other: no lock, no system call.
  *
  *   header      who writes, and where everything is; does not change
+ *   layout      the description of everything (layout.h): readers go by the names in it
  *   status      counters, times, buses: the latest
  *   cycles      a ring of the last TB_TELEMETRY_CYCLES control cycles
  *   inbox       what other programs write: requests, the application's force, the hand's force
@@ -31,23 +32,28 @@
 #include "can.h"
 #include "cycle.h"
 #include "histogram.h"
+#include "layout.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define TB_TELEMETRY_MAGIC "TBTELEM" /* 8 bytes with the final 0 */
-#define TB_TELEMETRY_VERSION 3u
+#define TB_TELEMETRY_VERSION 4u
 #define TB_TELEMETRY_CYCLES 4096u
 #define TB_TELEMETRY_NAME 32u   /* bytes of a name with the final 0; longer ones are cut */
 #define TB_TELEMETRY_TEXT 1024u /* bytes of a sentence with the final 0; none is as long */
+#define TB_TELEMETRY_ROWS 256u  /* room for the description */
 #define TB_FORCE_CYCLES 20u     /* cycles for which a force of the inbox counts */
 
-/** Who writes, and where everything is. */
+/** Who writes, and where everything is. The layout of this struct up to layout_rows is part of the
+ *  version; all the rest is in the description. */
 typedef struct {
     char magic[8]; /* written last: a file without it is not ready */
     uint32_t version;
-    uint32_t bytes; /* of the file */
+    uint32_t bytes;       /* of the file */
+    uint32_t layout_at;   /* bytes from the beginning of the file, as below */
+    uint32_t layout_rows; /* of the description */
     char machine[TB_TELEMETRY_NAME];
     char hash[TB_TELEMETRY_NAME];
     uint32_t dof;
@@ -55,14 +61,10 @@ typedef struct {
     uint32_t rails; /* slots: at least 1 */
     uint32_t drives;
     uint32_t buses;
-    uint32_t bins;      /* of a histogram */
-    uint32_t status_at; /* bytes from the beginning of the file */
-    uint32_t status_bytes;
+    uint32_t status_at;
     uint32_t cycles_at;
-    uint32_t cycle_bytes; /* of one slot */
     uint32_t slots;
     uint32_t inbox_at;
-    uint32_t inbox_bytes;
     uint32_t pid;
     uint32_t simulated;                   /* 1: a simulation keeps the time, of cycles as well */
     uint32_t has_rails;                   /* 0: the slot of a rail is not used */
@@ -165,10 +167,15 @@ typedef struct {
 /** The whole file. */
 typedef struct {
     tb_telemetry_header header;
+    tb_layout_row layout[TB_TELEMETRY_ROWS];
     tb_telemetry_status status;
     tb_telemetry_cycle cycles[TB_TELEMETRY_CYCLES];
     tb_telemetry_inbox inbox;
 } tb_telemetry_file;
+
+/** The description of what is in the file. */
+extern const tb_layout_row tb_telemetry_layout[];
+extern const uint32_t tb_telemetry_layout_rows;
 
 /** Make the file anew and map it. A message tells why it cannot be; then NULL is returned. */
 tb_telemetry_file *tb_telemetry_open(const char *path, bool simulated);
