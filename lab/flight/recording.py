@@ -166,7 +166,7 @@ def layouts_of(path: Path, content: bytes, header: Any) -> Layouts:
     if len(content) < HEADER.itemsize + rows * ROW.itemsize:
         raise FlightError(f"{path}: cut off after {len(content)} bytes, before the first cycle")
     description = np.frombuffer(content, ROW, rows, HEADER.itemsize)
-    if zlib.crc32(description) != header["layout_checksum"]:
+    if zlib.crc32(description.tobytes()) != header["layout_checksum"]:
         raise FlightError(f"{path}: damaged: the description of its structs has another checksum")
     layouts = None
     try:

@@ -136,13 +136,19 @@ def first_other(name: str, recorded: np.dtype[Any], now: np.dtype[Any]) -> str:
     recorded, now = recorded.base, now.base
     if recorded == now:
         return ""
-    for member in recorded.names or ():
-        before, after = (layout.fields and layout.fields.get(member) for layout in (recorded, now))
-        if before is None or after is None or before[1] != after[1]:
+    there = places_in(now)
+    for member, (layout, at) in places_in(recorded).items():
+        other, place = there.get(member, (layout, -1))
+        if at != place:
             return f"{name}.{member}"
-        if before[0] != after[0]:
-            return first_other(f"{name}.{member}", before[0], after[0]) or f"{name}.{member}"
+        if found := first_other(f"{name}.{member}", layout, other):
+            return found
     return name
+
+
+def places_in(layout: np.dtype[Any]) -> dict[str, tuple[np.dtype[Any], int]]:
+    """Type and place [bytes] of every member."""
+    return {name: (kind, at) for name, (kind, at, *_) in (layout.fields or {}).items()}
 
 
 def first_difference(segment: Segment, computed: Records) -> Difference | None:

@@ -58,7 +58,7 @@ def differences(library: Path) -> list[str]:
 
 def of_struct(name: str, layout: Layout, struct: Any) -> list[str]:
     """The same of one struct."""
-    fields = layout.fields or {}
+    fields: dict[str, Any] = dict(layout.fields or {})
     wanted = {
         member: (getattr(struct, member).offset, ctypes.sizeof(kind))
         for member, kind in struct._fields_
@@ -73,7 +73,8 @@ def of_struct(name: str, layout: Layout, struct: Any) -> list[str]:
 
 def of_values(layouts: Layouts, known: Declarations) -> list[str]:
     """The same of the values of enumerations; which they are their names tell."""
-    described, wanted = {}, {}
+    described: dict[str, int] = {}
+    wanted: dict[str, int] = {}
     for enumeration, values in layouts.enumerations.items():
         beginning = BEGINNINGS.get(enumeration, f"TB_{enumeration.upper()}_")
         described |= {f"{beginning}{name}": value for name, value in values.items()}

@@ -32,6 +32,7 @@ from turnbuckle.lab.flight.recording import (
 from turnbuckle.lab.flight.replay import (
     Supervisor,
     compile_supervisor,
+    places_in,
     run_again,
     supervisor_sources,
 )
@@ -388,7 +389,7 @@ def described(content: bytes, struct: str, member: str, **changes: object) -> by
     at = first + 1 + int(np.flatnonzero(rows["name"][first + 1 :] == member.encode())[0])
     for name, value in changes.items():
         rows[name][at] = value
-    header["layout_checksum"] = zlib.crc32(rows)
+    header["layout_checksum"] = zlib.crc32(rows.tobytes())
     rest = content[HEADER.itemsize + rows.nbytes :]
     return header.tobytes() + rows.tobytes() + rest
 
@@ -443,9 +444,9 @@ def test_members_that_the_c_swaps_are_read_by_their_names_and_not_replayed_by_ot
     library = compile_library(supervisor_sources(STOCK, core), [STOCK, core])
     swapped = Supervisor(library)
     layout, moved = (
-        one.struct("orders").fields or {} for one in (recording.layouts, swapped.layouts)
+        places_in(one.struct("orders")) for one in (recording.layouts, swapped.layouts)
     )
-    assert (layout["state"][1], layout["phase"][1]) == (moved["phase"][1], moved["state"][1])
+    assert (layout["state"], layout["phase"]) == (moved["phase"], moved["state"])
     with pytest.raises(
         FlightError, match=r"tb_recorded_cycle\.orders\.state is laid out otherwise"
     ):
@@ -469,19 +470,18 @@ def rows_in(library: Path) -> NDArray[np.void]:
 def moved_as(content: bytes, recording: Recording, rows: NDArray[np.void]) -> bytes:
     """The recording that a program would have written whose C swaps state and phase."""
     header = np.frombuffer(content, HEADER, 1).copy()
-    header["layout_checksum"] = zlib.crc32(rows)
+    header["layout_checksum"] = zlib.crc32(rows.tobytes())
     begin = HEADER.itemsize + rows.nbytes
     changed = bytearray(header.tobytes() + rows.tobytes() + content[begin:])
     there = places(content)
-    offset = {name: 0 for name in ("state", "phase")}
-    for name in offset:
-        cycle, orders = (recording.layouts.struct(n).fields for n in ("recorded_cycle", "orders"))
-        assert cycle is not None and orders is not None
-        offset[name] = cycle["orders"][1] + orders[name][1]
+    cycle, orders = (
+        places_in(recording.layouts.struct(name)) for name in ("recorded_cycle", "orders")
+    )
+    swapped = [cycle["orders"][1] + orders[name][1] for name in ("state", "phase")]
     for segment in range(len(recording.segments)):
         at, end = place_of(there, segment)
         for cycle_at in range(at + there.head, end, there.cycle.itemsize):
-            one, two = (cycle_at + place for place in offset.values())
+            one, two = (cycle_at + place for place in swapped)
             changed[one], changed[two] = changed[two], changed[one]
         struct.pack_into(
             "<I", changed, at + 12, checksum_of(bytes(changed), there.segment, at, end)

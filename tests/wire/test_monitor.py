@@ -83,6 +83,24 @@ def test_a_name_is_enough_to_watch(watched: Running) -> None:
     assert shown.exit_code == 0 and "cable_1" in shown.stdout
 
 
+@pytest.mark.parametrize("subject", ["yoon2023", "machines/yoon2023.toml"])
+def test_a_program_is_watched_without_any_compiler(
+    subject: str, watched: Running, tmp_path: Path
+) -> None:
+    nothing = {**os.environ, "PATH": str(tmp_path), "XDG_CACHE_HOME": str(tmp_path / "cache")}
+    command = [sys.executable, "-m", "turnbuckle", "monitor", subject, "--once"]
+    done = subprocess.run(
+        [*command, f"--telemetry={watched.telemetry.path}"],
+        cwd=ROOT,
+        env={name: value for name, value in nothing.items() if name != "CC"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "cable_1" in done.stdout
+
+
 def test_a_program_that_has_ended_is_said_to_have(watched: Running) -> None:
     assert watched.end(signal.SIGTERM)[0] == 0
     shown = turnbuckle("monitor", "yoon2023", "--once", "--telemetry", watched.telemetry.path)
