@@ -90,7 +90,7 @@ def of_values(layouts: Layouts, known: Declarations) -> list[str]:
     ]
 
 
-BEGINNINGS = {"progress": "TB_TASK_", "can_state": "TB_CAN_"}
+BEGINNINGS = {"progress": "TB_TASK_", "bus_state": "TB_BUS_", "can_state": "TB_CAN_"}
 MACROS = {
     *(f"TB_REQUEST_{name}" for name in ("ARM", "STOP", "RESET")),
     "TB_VERSION_RUNTIME_VERSION",
