@@ -21,7 +21,7 @@ SOURCES = [
     MACHINE / "tb_drives.c",
     RUNTIME / "can" / "can.c",
     RUNTIME / "can" / "loopback.c",
-    *(file for file in sorted((RUNTIME / "canopen").glob("*.c")) if file.stem != "master"),
+    *sorted((RUNTIME / "canopen").glob("*.c")),
 ]
 
 
