@@ -16,7 +16,7 @@ class Fieldbus:
 
     def __init__(self, network: Any) -> None:
         self._network = network
-        protocol = (c_void_p * 3).from_address(network.fieldbus.protocol)
+        protocol: Any = (c_void_p * 3).from_address(network.fieldbus.protocol)
         self._sync = CFUNCTYPE(None, c_void_p)(protocol[0])
         self._collect, self._dispatch = (
             CFUNCTYPE(None, c_void_p, c_void_p)(call) for call in protocol[1:]

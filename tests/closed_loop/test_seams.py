@@ -195,7 +195,7 @@ def test_an_adapter_is_a_file_and_a_line_of_the_table(tmp_path: Path) -> None:
     program = compile_program(sources, [MACHINE, *parts])
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
-        command = [program, *words, "--priority=0", f"--telemetry={tmp_path / 'shared'}"]
+        command = [str(program), *words, "--priority=0", f"--telemetry={tmp_path / 'shared'}"]
         return subprocess.run(command, capture_output=True, text=True, check=False)
 
     assert "--bus NAME=nobody:x" in run("--help").stdout

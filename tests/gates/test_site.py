@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[2]
 LINK = re.compile(r"\]\((?!https?:)([^)#\s]*)(?:#([^)\s]*))?\)")
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
-LANGUAGES = {"c", "cpp", "console", "ini", "python", "sh", "text", "toml", ""}
+LANGUAGES = {"c", "cpp", "console", "diff", "ini", "python", "sh", "text", "toml", ""}
 PIN = re.compile(r"[a-z0-9-]+==[0-9][0-9a-z.]* \\\n(?: +--hash=sha256:[0-9a-f]{64}(?: \\)?\n)+")
 
 
