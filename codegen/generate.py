@@ -23,6 +23,7 @@ from turnbuckle.codegen.identity import CASADI_VERSION, machine_hash
 from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model, build_model
 from turnbuckle.codegen.model_constants import model_constants
+from turnbuckle.codegen.origin import command
 from turnbuckle.codegen.prefix import PLAIN, prefixed, runtime_files
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Input, Output, Status
@@ -126,8 +127,7 @@ def banner(machine: Machine, identity: str, prefix: str = PLAIN) -> str:
     """First lines of every file: how to make it again, from what it was made, whose it is."""
     option = "" if prefix == PLAIN else f" --prefix {prefix}"
     return (
-        f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
-        f" --out generated/{folder_name(machine, prefix)}{option}\n"
+        f"/* Regenerate: {command(machine)}{option} --out <this folder>\n"
         f" * Machine {identity}, turnbuckle {VERSION}, casadi {CASADI_VERSION}. Do not edit.\n"
         f" * SPDX-License-Identifier: {LICENCE} */"
     )
