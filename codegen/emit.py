@@ -7,6 +7,7 @@ from operator import itemgetter
 
 from turnbuckle.codegen.accuracy import Accuracy, WorstCase
 from turnbuckle.codegen.chain import Chain, Link
+from turnbuckle.codegen.constant_names import ConstantNames
 from turnbuckle.codegen.enumeration import Enumeration
 from turnbuckle.codegen.ir import Op, Routine
 from turnbuckle.codegen.item import Item, cost, most_steps, most_visits
@@ -31,11 +32,11 @@ class CFunction:
     parts: tuple["CFunction", ...] = ()
 
 
-def emit(item: Item, accuracy: Accuracy) -> CFunction:
+def emit(item: Item, accuracy: Accuracy, names: ConstantNames) -> CFunction:
     """The C of one function."""
     function = item.function
-    lines, refused = one_fallback(item_body(item), function)
-    parts = [found for called in private(item) for found in part(called)]
+    lines, refused = one_fallback(item_body(item, names), function, names)
+    parts = [found for called in private(item) for found in part(called, names)]
     return CFunction(
         f"tb_{function.name}",
         comment(item, accuracy),
@@ -45,7 +46,7 @@ def emit(item: Item, accuracy: Accuracy) -> CFunction:
     )
 
 
-def item_body(item: Item) -> list[str]:
+def item_body(item: Item, names: ConstantNames) -> list[str]:
     """The statements of a function."""
     match item:
         case Procedure():
@@ -57,7 +58,7 @@ def item_body(item: Item) -> list[str]:
         case Loop():
             return loop_body(item)
         case Routine():
-            return body(item)
+            return body(item, names)
     raise TypeError(f"{item.function.name}: no C is known for a {type(item).__name__}")
 
 
@@ -66,10 +67,10 @@ def private(item: Item) -> list[Item]:
     return [part for called in item.own() for part in (*private(called), called)]
 
 
-def part(item: Item) -> list[CFunction]:
+def part(item: Item, names: ConstantNames) -> list[CFunction]:
     """An item that only the functions of its file call, after what it alone calls."""
     function = item.function
-    lines, refused = one_fallback(item_body(item), function)
+    lines, refused = one_fallback(item_body(item, names), function, names)
     own = CFunction(
         f"tb_{function.name}",
         "\n * ".join(fill(f"{function.summary}.", "")),
@@ -79,7 +80,9 @@ def part(item: Item) -> list[CFunction]:
     return [*refused, own]
 
 
-def one_fallback(lines: list[str], function: ModelFunction) -> tuple[list[str], list[CFunction]]:
+def one_fallback(
+    lines: list[str], function: ModelFunction, names: ConstantNames
+) -> tuple[list[str], list[CFunction]]:
     """A body that gives its results their fallback in one place: there, or in a function of its own
     where there are several ways out."""
     name = f"tb_refuse_{function.name}"
@@ -87,12 +90,12 @@ def one_fallback(lines: list[str], function: ModelFunction) -> tuple[list[str], 
     if len(ways_out) == 1:
         place = lines.index(ways_out[0])
         status = ways_out[0].partition("(")[2].partition(",")[0]
-        answer = [*fallback(function), f"        return {status};"]
+        answer = [*fallback(function, names), f"        return {status};"]
         return [*lines[:place], *answer, *lines[place + 1 :]], []
     if not ways_out:
         return lines, []
     results = "; ".join(fallback_text(output) for output in function.outputs)
-    body = [*(line[4:] for line in fallback(function)), "    return status;"]
+    body = [*(line[4:] for line in fallback(function, names)), "    return status;"]
     outputs = [f"real_t {output.name}[{output.size}]" for output in function.outputs]
     head = "\n".join(parameters(f"static tb_status {name}", ["tb_status status", *outputs]))
     comment = "\n * ".join(fill(f"Refuses with a status: {results}.", ""))
@@ -106,7 +109,7 @@ def fallback_text(output: Output) -> str:
 
 
 def loop_body(item: Loop) -> list[str]:
-    """Begin, step until that is done or fails, finish."""
+    """Begin, step until a step is the last one or fails, finish."""
     function, done = item.function, item.done.name
     begin, step, finish = (call(routine.function, {}) for routine in item.own())
     return [
@@ -225,8 +228,9 @@ def may_be_infeasible(link: Link) -> bool:
 def retry_body(item: Procedure) -> list[str]:
     """Attempt; where that fails, substitute an argument and make every attempt with it.
 
-    An argument that counts as feasible, but cannot be served, lies on the border up to rounding:
-    the second substitute is served, and it counts as infeasible.
+    Where the argument is found feasible and every attempt fails all the same, the argument lies on
+    the border of the feasible set up to rounding: the attempts are made with the second substitute,
+    and the argument counts as infeasible.
     """
     first, second = item.attempts[0].function, item.substitute.function
     lines = [
@@ -381,9 +385,9 @@ def fill(text: str, indent: str) -> list[str]:
     )
 
 
-def body(routine: Routine) -> list[str]:
+def body(routine: Routine, names: ConstantNames) -> list[str]:
     """Guards, then the computation, then the verdicts."""
-    printer = Printer(routine)
+    printer = Printer(routine, names.of_places(routine))
     function = routine.function
     lines = [f"    (void){port.name};" for port in ignored(routine)]
     lines += guard(function)
@@ -391,7 +395,7 @@ def body(routine: Routine) -> list[str]:
     pairs = zip(function.verdicts, routine.verdicts, strict=True)
     faults = [(verdict.status, number) for verdict, number in pairs if verdict.is_fault]
     for status, alike in groupby(faults, key=itemgetter(0)):
-        operands = [printer.operand(number) for _, number in alike]
+        operands = [printer.verdict(number) for _, number in alike]
         lines += refusal(joined(operands), status, function)
     return [*lines, *results(routine, printer), *answer(routine, printer)]
 
@@ -418,9 +422,9 @@ def joined(flags: list[Text]) -> str:
 def results(routine: Routine, printer: Printer) -> list[str]:
     """Gives every output its value; what an output overwrites and another one needs is kept."""
     targets = [
-        (f"{output.name}[{entry}]", printer.result(number))
-        for output, numbers in zip(routine.function.outputs, routine.outputs, strict=True)
-        for entry, number in enumerate(numbers)
+        (f"{output.name}[{entry}]", value)
+        for output, values in zip(routine.function.outputs, printer.results(), strict=True)
+        for entry, value in enumerate(values)
     ]
     moved = [(target, value) for target, value in targets if target != value]
     overwritten = {target for target, _ in moved}
@@ -436,7 +440,7 @@ def results(routine: Routine, printer: Printer) -> list[str]:
 def answer(routine: Routine, printer: Printer) -> list[str]:
     """The last line: fine, or valid but infeasible."""
     pairs = zip(routine.function.verdicts, routine.verdicts, strict=True)
-    flags = [printer.operand(number) for verdict, number in pairs if not verdict.is_fault]
+    flags = [printer.verdict(number) for verdict, number in pairs if not verdict.is_fault]
     if not flags:
         return ["    return TB_OK;"]
     condition = joined(flags) if len(flags) == 1 else f"({joined(flags)})"
@@ -481,10 +485,10 @@ def way_out(status: str, function: ModelFunction) -> str:
     return f"        return tb_refuse_{function.name}({status}, {results});"
 
 
-def fallback(function: ModelFunction) -> list[str]:
+def fallback(function: ModelFunction, names: ConstantNames) -> list[str]:
     """Statements that give every output its fallback."""
     return [
-        f"        {output.name}[{entry}] = {literal(output.fallback)};"
-        for output in function.outputs
+        f"        {output.name}[{entry}] = {value};"
+        for output, value in zip(function.outputs, names.of_fallbacks(function), strict=True)
         for entry in range(output.size)
     ]

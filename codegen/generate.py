@@ -2,6 +2,8 @@
 
 import hashlib
 import json
+import re
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,12 +15,15 @@ from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bus.dbc import dbc_files
 from turnbuckle.codegen.bus.drives import drive_fields
 from turnbuckle.codegen.chain import Chain
-from turnbuckle.codegen.constants import constants
+from turnbuckle.codegen.constant_names import ConstantNames
+from turnbuckle.codegen.constants import Constant, constants
 from turnbuckle.codegen.emit import CFunction, emit, emit_alias
 from turnbuckle.codegen.folder import write_folder
 from turnbuckle.codegen.identity import CASADI_VERSION, machine_hash
 from turnbuckle.codegen.item import Item
 from turnbuckle.codegen.model import Model, build_model
+from turnbuckle.codegen.model_constants import model_constants
+from turnbuckle.codegen.origin import command
 from turnbuckle.codegen.prefix import PLAIN, prefixed, runtime_files
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.symbolic.function import Input, Output, Status
@@ -48,31 +53,40 @@ def render(model: Model, accuracies: dict[str, Accuracy], prefix: str = PLAIN) -
         "tb_types.h": environment.get_template("tb_types.h.jinja").render(
             common, statuses=list(Status), version=VERSION, version_number=version_number(VERSION)
         ),
-        "tb_machine.h": environment.get_template("tb_machine.h.jinja").render(
-            common, name=machine.name, hash=identity, groups=constants(machine)
-        ),
     }
     if machine.buses:
         drives = {**common, **drive_fields(machine)}
         for name in ("tb_drives.h", "tb_drives.c"):
             files[name] = environment.get_template(f"{name}.jinja").render(drives)
         files |= dbc_files(machine)
+    names = ConstantNames(model)
     for topic, routines in model.topics.items():
         fields = {
             **common,
             "guard": f"TB_{topic.upper()}_H",
             "header": f"tb_{topic}.h",
             "subject": f"{TOPICS[topic][0].capitalize()} of {machine.name}.",
-            "functions": c_functions(model, routines, accuracies),
+            "functions": c_functions(model, routines, accuracies, names),
             "includes": [f"tb_{other}.h" for other in called_topics(model, topic)],
         }
         for kind in ("h", "c"):
             template = environment.get_template(f"topic.{kind}.jinja")
             files[f"tb_{topic}.{kind}"] = template.render(fields)
+    groups = [*constants(machine), *read_constants(machine, files.values())]
+    files["tb_machine.h"] = environment.get_template("tb_machine.h.jinja").render(
+        common, name=machine.name, hash=identity, groups=groups
+    )
     if prefix != PLAIN:
         files = prefixed(files | runtime_files(machine, common["banner"]), prefix)
     files[MANIFEST] = manifest(model, identity, files, prefix)
     return files
+
+
+def read_constants(machine: Machine, files: Iterable[str]) -> list[list[Constant]]:
+    """The constants of the model that one of the files reads, in groups."""
+    words = {word for text in files for word in re.findall(r"\bTB_\w+", text)}
+    groups = [[each for each in group if each.name in words] for group in model_constants(machine)]
+    return [group for group in groups if group]
 
 
 def called_topics(model: Model, topic: str) -> list[str]:
@@ -84,10 +98,12 @@ def called_topics(model: Model, topic: str) -> list[str]:
 
 
 def c_functions(
-    model: Model, routines: list[Item], accuracies: dict[str, Accuracy]
+    model: Model, routines: list[Item], accuracies: dict[str, Accuracy], names: ConstantNames
 ) -> list[CFunction]:
     """The C of one topic, with its aliases last."""
-    functions = once([emit(routine, accuracies[routine.function.name]) for routine in routines])
+    functions = once(
+        [emit(routine, accuracies[routine.function.name], names) for routine in routines]
+    )
     by_name = {routine.function.name: routine for routine in routines}
     for alias, target in model.aliases().items():
         if target in by_name:
@@ -111,8 +127,7 @@ def banner(machine: Machine, identity: str, prefix: str = PLAIN) -> str:
     """First lines of every file: how to make it again, from what it was made, whose it is."""
     option = "" if prefix == PLAIN else f" --prefix {prefix}"
     return (
-        f"/* Regenerate: turnbuckle generate machines/{machine.path.name}"
-        f" --out generated/{folder_name(machine, prefix)}{option}\n"
+        f"/* Regenerate: {command(machine)}{option} --out <this folder>\n"
         f" * Machine {identity}, turnbuckle {VERSION}, casadi {CASADI_VERSION}. Do not edit.\n"
         f" * SPDX-License-Identifier: {LICENCE} */"
     )

@@ -1,11 +1,14 @@
 """Arranged nodes -> lines of C99."""
 
 import math
+import re
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import count
 
 from turnbuckle.codegen.arrange import Block, Branch, arrange
+from turnbuckle.codegen.counterpart import Place
 from turnbuckle.codegen.ir import LEAVES, LOGICAL, Node, Op, Routine
 
 #: Longest line of code that is printed.
@@ -49,8 +52,8 @@ def literal(value: float) -> str:
 class Printer:
     """Prints the body of one routine."""
 
-    def __init__(self, routine: Routine) -> None:
-        self.routine = routine
+    def __init__(self, routine: Routine, named: Mapping[Place, str]) -> None:
+        self.routine, self.named = routine, named
         self.nodes = routine.nodes
         self.block = arrange(routine)
         self.names: dict[int, str] = {}
@@ -58,6 +61,7 @@ class Printer:
         self.home: dict[int, int] = {}
         self.uses: Counter[int] = Counter()
         self.texts: dict[int, Text] = {}
+        self.numbers: dict[str, str] = {}
         self.temporaries = 0
         self.arms: dict[int, list[int]] = {}
         self.find_homes(self.block)
@@ -116,12 +120,18 @@ class Printer:
 
     def inlined(self, number: int, near: set[int]) -> bool:
         """Whether the node is written where it is used instead of getting a name."""
-        text = self.expression(self.nodes[number])
+        text = self.expression(number)
         single = self.uses[number] == 1 and number not in self.names
-        if single and number in near and len(text.code) <= LINE_WIDTH // 2:
+        if single and number in near and self.length(text) <= LINE_WIDTH // 2:
             self.texts[number] = text
             return True
         return False
+
+    def length(self, text: Text) -> int:
+        """Length of an expression with numbers for names, so that names move no statement."""
+        return len(
+            re.sub(r"\bTB_\w+", lambda found: self.numbers.get(found[0], found[0]), text.code)
+        )
 
     def read_near(self, block: Block) -> set[int]:
         """What is read by the nodes of a block, and by the choices that it gives values to."""
@@ -134,21 +144,22 @@ class Printer:
         """A named intermediate result."""
         lines = [f"{indent}/* {self.notes[number]} */"] if number in self.notes else []
         kind = "bool" if self.nodes[number].op in LOGICAL else "real_t"
-        text = self.expression(self.nodes[number])
+        text = self.expression(number)
         name = self.name(number)
         return lines + wrap(f"{indent}const {kind} {name} = {text.code};", indent)
 
     def branch(self, branch: Branch, indent: str) -> list[str]:
         """An if that gives values to its choices."""
         names = [self.name(select) for select in branch.selects]
+        condition = self.operand(branch.condition, (branch.selects[0], 0))
         lines = [f"{indent}/* {self.notes[s]} */" for s in branch.selects if s in self.notes]
         lines += wrap(f"{indent}real_t {', '.join(names)};", indent)
         for arm, block in ((1, branch.yes), (2, branch.no)):
-            head = f"if ({self.operand(branch.condition).code})" if arm == 1 else "} else"
+            head = f"if ({condition.code})" if arm == 1 else "} else"
             lines += wrap(f"{indent}{head} {{", indent)
             lines += self.statements(block, indent + "    ")
             for select, name in zip(branch.selects, names, strict=True):
-                value = self.operand(self.nodes[select].args[arm])
+                value = self.operand(self.nodes[select].args[arm], (select, arm))
                 lines += wrap(f"{indent}    {name} = {value.code};", indent + "    ")
         for select, name in zip(branch.selects, names, strict=True):
             self.texts[select] = Text(name, _ATOM)
@@ -162,9 +173,13 @@ class Printer:
         self.texts[number] = Text(self.names[number], _ATOM)
         return self.names[number]
 
-    def operand(self, number: int) -> Text:
-        """A node as it is read by another."""
+    def operand(self, number: int, place: Place) -> Text:
+        """A node as it is read at a place."""
         node = self.nodes[number]
+        if place in self.named:
+            named = self.named[place]
+            self.numbers[named.lstrip("-")] = literal(abs(node.value))
+            return Text(named, _UNARY if named.startswith("-") else _ATOM)
         if node.op in LEAVES:
             return self.leaf(node)
         return self.texts[number]
@@ -178,9 +193,10 @@ class Printer:
         argument, entry = node.entry
         return Text(f"{self.routine.function.inputs[argument].name}[{entry}]", _ATOM)
 
-    def expression(self, node: Node) -> Text:
+    def expression(self, number: int) -> Text:
         """The operation of a node on its operands."""
-        args = [self.operand(arg) for arg in node.args]
+        node = self.nodes[number]
+        args = [self.operand(arg, (number, operand)) for operand, arg in enumerate(node.args)]
         if node.op in _INFIX:
             return self.infix(node.op, *args)
         return _PREFIX[node.op](*args)
@@ -193,9 +209,17 @@ class Printer:
             return Text(f"{same} {symbol} {right.within(2)}", binding)
         return Text(f"{left.within(binding - 1)} {symbol} {right.within(binding)}", binding)
 
-    def result(self, number: int) -> str:
-        """A node as the right-hand side of an output."""
-        return self.operand(number).code
+    def results(self) -> list[list[str]]:
+        """The outputs, each entry as the right-hand side of an assignment."""
+        places = count()
+        return [
+            [self.operand(number, (-1, next(places))).code for number in group]
+            for group in self.routine.outputs
+        ]
+
+    def verdict(self, number: int) -> Text:
+        """The condition of a verdict."""
+        return self.operand(number, (number, -1))
 
 
 def _choice(condition: Text, yes: Text, no: Text) -> Text:

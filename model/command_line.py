@@ -66,10 +66,10 @@ def _refused(file: Path, error: MachineError) -> dict[str, Any]:
     return {"file": str(file), "valid": False, "problems": problems}
 
 
-def _hash(machine: Machine) -> str:
-    """The same for files that say the same."""
+def _content_sha256(machine: Machine) -> str:
+    """Of what the file says, however it is spelled; the machine hash is that of the generated C."""
     content = machine.model_dump(mode="json", by_alias=True)
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:16]
+    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
 def _described(file: Path, machine: Machine) -> dict[str, Any]:
@@ -79,6 +79,6 @@ def _described(file: Path, machine: Machine) -> dict[str, Any]:
         "problems": [],
         "name": machine.name,
         "kind": machine.kind,
-        "hash": _hash(machine),
+        "content_sha256": _content_sha256(machine),
         "warnings": [{"key": key, "text": text} for key, text in machine.warnings()],
     }

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from turnbuckle.codegen.origin import command
 from turnbuckle.model.bus.axis import Axis, axes
 from turnbuckle.model.bus.drive_kinds.kind import DriveKind
 from turnbuckle.model.bus.frames import (
@@ -141,7 +142,7 @@ def dbc(machine: Machine, load: Load, drives: Sequence[Axis]) -> str:
         f"BU_: {nodes}",
         "",
         *(line for frame in frames for line in _message(frame)),
-        f'CM_ "{title}. Regenerate: turnbuckle generate machines/{machine.path.name}.";',
+        f'CM_ "{title}. Regenerate: {command(machine)}.";',
         *(f'CM_ BO_ {frame.identifier} "{frame.meaning}";' for frame in frames),
         'BA_DEF_ BO_ "GenMsgCycleTime" INT 0 65535;',
         'BA_DEF_DEF_ "GenMsgCycleTime" 0;',

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
+/* Regenerate: turnbuckle generate machines/brau_five.toml --out <this folder>
  * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
+#include "tb_machine.h"
 
 tb_status tb_largest_tensions_eq17(const real_t structure[10], const real_t force[1],
     real_t tension[5])

@@ -1,21 +1,22 @@
-/* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
+/* Regenerate: turnbuckle generate machines/brau_five.toml --out <this folder>
  * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[10])
 {
     (void)rails;
     points[0] = TB_C(0.0);
-    points[1] = TB_C(1.0);
+    points[1] = TB_FRAME;
     points[2] = TB_C(0.0);
     points[3] = TB_C(0.0);
-    points[4] = TB_C(1.0);
+    points[4] = TB_FRAME;
     points[5] = TB_C(0.0);
-    points[6] = TB_C(1.0);
-    points[7] = TB_C(1.0);
-    points[8] = TB_C(0.5);
-    points[9] = TB_C(1.0);
+    points[6] = TB_FRAME;
+    points[7] = TB_FRAME;
+    points[8] = TB_BASE_5_X;
+    points[9] = TB_FRAME;
     return TB_OK;
 }
 
@@ -36,10 +37,10 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
         return TB_OUT_OF_DOMAIN;
     }
     const real_t vectors_0 = -pose[0];
-    const real_t vectors_1 = TB_C(1.0) - pose[1];
+    const real_t vectors_1 = TB_FRAME - pose[1];
     const real_t vectors_3 = -pose[1];
-    const real_t vectors_4 = TB_C(1.0) - pose[0];
-    const real_t vectors_8 = TB_C(0.5) - pose[0];
+    const real_t vectors_4 = TB_FRAME - pose[0];
+    const real_t vectors_8 = TB_BASE_5_X - pose[0];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
     vectors[2] = vectors_0;
@@ -71,16 +72,16 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
         return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     const real_t length_0 = TB_SQRT(t0 + t2);
     const real_t t3 = pose[1] * pose[1];
     const real_t length_1 = TB_SQRT(t0 + t3);
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_2 = TB_SQRT(t3 + t5);
     const real_t length_3 = TB_SQRT(t2 + t5);
-    const real_t t6 = TB_C(0.5) - pose[0];
+    const real_t t6 = TB_BASE_5_X - pose[0];
     const real_t length_4 = TB_SQRT(t2 + t6 * t6);
     const bool t7 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t8 = t7 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
@@ -119,7 +120,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
         return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 + t2);
@@ -129,7 +130,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const real_t length_1 = TB_SQRT(t0 + t4);
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t structure_1 = -(pose[0] * t5);
-    const real_t t6 = TB_C(1.0) - pose[0];
+    const real_t t6 = TB_FRAME - pose[0];
     const real_t t7 = t6 * t6;
     const real_t length_2 = TB_SQRT(t4 + t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -137,7 +138,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const real_t length_3 = TB_SQRT(t2 + t7);
     const real_t t9 = TB_C(1.0) / length_3;
     const real_t structure_3 = t6 * t9;
-    const real_t t10 = TB_C(0.5) - pose[0];
+    const real_t t10 = TB_BASE_5_X - pose[0];
     const real_t length_4 = TB_SQRT(t2 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_4;
     const real_t structure_4 = t10 * t11;
@@ -188,7 +189,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
         return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 + t2);
@@ -200,7 +201,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = pose[0] * t5;
     const real_t jacobian_3 = pose[1] * t5;
-    const real_t t6 = TB_C(1.0) - pose[0];
+    const real_t t6 = TB_FRAME - pose[0];
     const real_t t7 = t6 * t6;
     const real_t length_2 = TB_SQRT(t4 + t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -210,7 +211,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const real_t t9 = TB_C(1.0) / length_3;
     const real_t jacobian_6 = -(t6 * t9);
     const real_t jacobian_7 = -(t1 * t9);
-    const real_t t10 = TB_C(0.5) - pose[0];
+    const real_t t10 = TB_BASE_5_X - pose[0];
     const real_t length_4 = TB_SQRT(t2 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_4;
     const real_t jacobian_8 = -(t10 * t11);
@@ -252,7 +253,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
               TB_ABS(length_rates[3]) + TB_ABS(length_rates[4]) <= TB_C(500.0))) {
         return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
-    const real_t t0 = TB_C(1.0) - pose[0];
+    const real_t t0 = TB_FRAME - pose[0];
     const real_t t1 = t0 * t0;
     const real_t t2 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -260,7 +261,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t t3 = TB_C(1.0) / length_2;
     const real_t t4 = t0 * t3;
     const real_t t5 = pose[0] * pose[0];
-    const real_t t6 = TB_C(1.0) - pose[1];
+    const real_t t6 = TB_FRAME - pose[1];
     const real_t t7 = t6 * t6;
     const real_t length_0 = TB_SQRT(t5 + t7);
     const real_t t8 = TB_C(1.0) / length_0;
@@ -272,7 +273,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t length_3 = TB_SQRT(t1 + t7);
     const real_t t13 = TB_C(1.0) / length_3;
     const real_t t14 = t0 * t13;
-    const real_t t15 = TB_C(0.5) - pose[0];
+    const real_t t15 = TB_BASE_5_X - pose[0];
     const real_t length_4 = TB_SQRT(t7 + t15 * t15);
     const real_t t16 = TB_C(1.0) / length_4;
     const real_t t17 = t15 * t16;
@@ -335,12 +336,12 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const real_t t6 = t0 - t5;
     const real_t t7 = t1 - t5;
     const real_t t8 = t2 - t5;
-    const real_t t9 = -TB_C(0.5) * t6 + -TB_C(0.5) * t7 + TB_C(0.5) * t8;
+    const real_t t9 = -TB_BASE_5_X * t6 + -TB_BASE_5_X * t7 + TB_BASE_5_X * t8;
     const real_t t10 = t3 - t5;
-    const real_t t11 = TB_C(0.5) * (t9 + TB_C(0.5) * t10);
+    const real_t t11 = TB_C(0.5) * (t9 + TB_BASE_5_X * t10);
     /* differences of squared lengths are linear in the pose */
-    const real_t start_0 = TB_C(0.5) + t11;
-    const real_t t12 = TB_C(1.0) - start_0;
+    const real_t start_0 = TB_BASE_5_X + t11;
+    const real_t t12 = TB_FRAME - start_0;
     const real_t t13 = t12 * t12;
     const real_t t14 = t6 * TB_C(0.4) + t7 * -TB_C(0.6) + t8 * -TB_C(0.6);
     const real_t t15 = TB_C(0.5) * (t14 + t10 * TB_C(0.4) + TB_C(0.4) * (t4 - t5));
@@ -352,7 +353,7 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const real_t t18 = t12 * t17;
     const real_t t19 = distance_2 - lengths[2];
     const real_t t20 = start_0 * start_0;
-    const real_t t21 = TB_C(1.0) - start_1;
+    const real_t t21 = TB_FRAME - start_1;
     const real_t t22 = t21 * t21;
     const real_t distance_0 = TB_SQRT(t20 + t22);
     const real_t t23 = TB_C(1.0) / distance_0;
@@ -386,7 +387,7 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const real_t pose_0 = start_0 + (t35 * t37 - t44 * t47);
     const real_t pose_1 = start_1 + t47;
     const real_t t48 = pose_0 * pose_0;
-    const real_t t49 = TB_C(1.0) - pose_1;
+    const real_t t49 = TB_FRAME - pose_1;
     const real_t t50 = t49 * t49;
     const real_t t51 = TB_SQRT(t48 + t50);
     /* what the lengths disagree by: slack, an encoder fault */
@@ -394,14 +395,14 @@ tb_status tb_forward_kinematics(const real_t lengths[5], const real_t rails[1], 
     const real_t t52 = pose_1 * pose_1;
     const real_t t53 = TB_SQRT(t48 + t52);
     const real_t misfit_1 = lengths[1] - t53;
-    const real_t t54 = TB_C(1.0) - pose_0;
+    const real_t t54 = TB_FRAME - pose_0;
     const real_t t55 = t54 * t54;
     const real_t t56 = TB_SQRT(t52 + t55);
     const real_t misfit_2 = lengths[2] - t56;
     const real_t t57 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
     const real_t t58 = TB_SQRT(t50 + t55);
     const real_t misfit_3 = lengths[3] - t58;
-    const real_t t59 = TB_C(0.5) - pose_0;
+    const real_t t59 = TB_BASE_5_X - pose_0;
     const real_t t60 = TB_SQRT(t50 + t59 * t59);
     const real_t misfit_4 = lengths[4] - t60;
     const real_t residual_0 = TB_SQRT(t57 + misfit_3 * misfit_3 + misfit_4 * misfit_4);
@@ -468,12 +469,12 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1],
     const real_t t6 = t0 - t5;
     const real_t t7 = t1 - t5;
     const real_t t8 = t2 - t5;
-    const real_t t9 = -TB_C(0.5) * t6 + -TB_C(0.5) * t7 + TB_C(0.5) * t8;
+    const real_t t9 = -TB_BASE_5_X * t6 + -TB_BASE_5_X * t7 + TB_BASE_5_X * t8;
     const real_t t10 = t3 - t5;
-    const real_t t11 = TB_C(0.5) * (t9 + TB_C(0.5) * t10);
+    const real_t t11 = TB_C(0.5) * (t9 + TB_BASE_5_X * t10);
     /* differences of squared lengths are linear in the pose */
-    const real_t start_0 = TB_C(0.5) + t11;
-    const real_t t12 = TB_C(1.0) - start_0;
+    const real_t start_0 = TB_BASE_5_X + t11;
+    const real_t t12 = TB_FRAME - start_0;
     const real_t t13 = t12 * t12;
     const real_t t14 = t6 * TB_C(0.4) + t7 * -TB_C(0.6) + t8 * -TB_C(0.6);
     const real_t t15 = TB_C(0.5) * (t14 + t10 * TB_C(0.4) + TB_C(0.4) * (t4 - t5));
@@ -485,7 +486,7 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1],
     const real_t t18 = t12 * t17;
     const real_t t19 = distance_2 - lengths[2];
     const real_t t20 = start_0 * start_0;
-    const real_t t21 = TB_C(1.0) - start_1;
+    const real_t t21 = TB_FRAME - start_1;
     const real_t t22 = t21 * t21;
     const real_t distance_0 = TB_SQRT(t20 + t22);
     const real_t t23 = TB_C(1.0) / distance_0;
@@ -519,7 +520,7 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1],
     const real_t pose_0 = start_0 + (t35 * t37 - t44 * t47);
     const real_t pose_1 = start_1 + t47;
     const real_t t48 = pose_0 * pose_0;
-    const real_t t49 = TB_C(1.0) - pose_1;
+    const real_t t49 = TB_FRAME - pose_1;
     const real_t t50 = t49 * t49;
     const real_t t51 = TB_SQRT(t48 + t50);
     /* what the lengths disagree by: slack, an encoder fault */
@@ -527,14 +528,14 @@ tb_status tb_locate(const real_t lengths[5], const real_t rails[1],
     const real_t t52 = pose_1 * pose_1;
     const real_t t53 = TB_SQRT(t48 + t52);
     const real_t misfit_1 = lengths[1] - t53;
-    const real_t t54 = TB_C(1.0) - pose_0;
+    const real_t t54 = TB_FRAME - pose_0;
     const real_t t55 = t54 * t54;
     const real_t t56 = TB_SQRT(t52 + t55);
     const real_t misfit_2 = lengths[2] - t56;
     const real_t t57 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
     const real_t t58 = TB_SQRT(t50 + t55);
     const real_t misfit_3 = lengths[3] - t58;
-    const real_t t59 = TB_C(0.5) - pose_0;
+    const real_t t59 = TB_BASE_5_X - pose_0;
     const real_t t60 = TB_SQRT(t50 + t59 * t59);
     const real_t misfit_4 = lengths[4] - t60;
     const real_t residual_0 = TB_SQRT(t57 + misfit_3 * misfit_3 + misfit_4 * misfit_4);

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
+/* Regenerate: turnbuckle generate machines/brau_five.toml --out <this folder>
  * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: force is 0 N. */
 static tb_status tb_refuse_isotropic_force(tb_status status, real_t force[1])
@@ -17,7 +18,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
         return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 + t2);
@@ -30,7 +31,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t8 = t1 * t3;
     const real_t t9 = pose[0] * t6;
     const real_t t10 = TB_ABS(t4 * t7 + t8 * t9);
-    const real_t t11 = TB_C(1.0) - pose[0];
+    const real_t t11 = TB_FRAME - pose[0];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -42,7 +43,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t18 = t1 * t17;
     const real_t t19 = t11 * t17;
     const real_t t20 = TB_ABS(t4 * t18 + t8 * t19);
-    const real_t t21 = TB_C(0.5) - pose[0];
+    const real_t t21 = TB_BASE_5_X - pose[0];
     const real_t length_4 = TB_SQRT(t2 + t21 * t21);
     const real_t t22 = TB_C(1.0) / length_4;
     const real_t t23 = t1 * t22;
@@ -92,7 +93,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
         return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 + t2);
@@ -106,7 +107,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t9 = pose[0] * t6;
     const real_t t10 = t4 * t7 + t8 * t9;
     const real_t t11 = TB_ABS(t10);
-    const real_t t12 = TB_C(1.0) - pose[0];
+    const real_t t12 = TB_FRAME - pose[0];
     const real_t t13 = t12 * t12;
     const real_t length_2 = TB_SQRT(t5 + t13);
     const real_t t14 = TB_C(1.0) / length_2;
@@ -120,7 +121,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t21 = t12 * t19;
     const real_t t22 = t4 * t20 + t8 * t21;
     const real_t t23 = TB_ABS(t22);
-    const real_t t24 = TB_C(0.5) - pose[0];
+    const real_t t24 = TB_BASE_5_X - pose[0];
     const real_t length_4 = TB_SQRT(t2 + t24 * t24);
     const real_t t25 = TB_C(1.0) / length_4;
     const real_t t26 = t1 * t25;
@@ -202,7 +203,7 @@ static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t
         return tb_refuse_zero_wrench_tension_begin(TB_OUT_OF_DOMAIN, structure, pivot, side, moving, push);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     const real_t t3 = TB_SQRT(t0 + t2);
     const real_t t4 = TB_C(1.0) / t3;
@@ -213,7 +214,7 @@ static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t
     const real_t t8 = TB_C(1.0) / t7;
     const real_t t9 = pose[0] * t8;
     const real_t structure_1 = -t9;
-    const real_t t10 = TB_C(1.0) - pose[0];
+    const real_t t10 = TB_FRAME - pose[0];
     const real_t t11 = t10 * t10;
     const real_t t12 = TB_SQRT(t6 + t11);
     const real_t t13 = TB_C(1.0) / t12;
@@ -221,7 +222,7 @@ static tb_status tb_zero_wrench_tension_begin(const real_t pose[2], const real_t
     const real_t t14 = TB_SQRT(t2 + t11);
     const real_t t15 = TB_C(1.0) / t14;
     const real_t structure_3 = t10 * t15;
-    const real_t t16 = TB_C(0.5) - pose[0];
+    const real_t t16 = TB_BASE_5_X - pose[0];
     const real_t t17 = TB_SQRT(t2 + t16 * t16);
     const real_t t18 = TB_C(1.0) / t17;
     const real_t structure_4 = t16 * t18;
@@ -320,34 +321,34 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const real_t t37 = TB_C(1.0) / t17;
     const bool t38 = TB_C(0.0) < side[0];
     const bool t39 = TB_C(0.0) < side[1];
-    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
-        TB_C(10.0) : TB_C(0.0));
+    const real_t t40 = (t38 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t41 = TB_C(0.0) < side[2];
-    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t43 = TB_C(0.0) < side[3];
-    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const bool t45 = TB_C(0.0) < side[4];
-    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t47 = t46 * t37;
     const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
     const real_t t49 = TB_C(1.0) / t32;
-    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
-        TB_C(10.0) : TB_C(0.0));
-    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t50 = (t38 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[6]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t54 = t49 * ((t53 + t47 * t48) * t49);
     const real_t t55 = t37 * (t47 + t48 * t54);
     const real_t t56 = structure[3] * t55 + structure[8] * t54;
-    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_C(10.0) + t56)) : -TB_C(1.0);
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_TENSION_MAX + t56)) : -TB_C(1.0);
     const real_t t58 = structure[4] * t55 + structure[9] * t54;
-    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_C(10.0) + t58)) : -TB_C(1.0);
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_TENSION_MAX + t58)) : -TB_C(1.0);
     const real_t t60 = structure[0] * t55 + structure[5] * t54;
-    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_C(10.0) + t60)) : -TB_C(1.0);
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_TENSION_MAX + t60)) : -TB_C(1.0);
     const real_t t62 = structure[1] * t55 + structure[6] * t54;
-    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_C(10.0) + t62)) : -TB_C(1.0);
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_TENSION_MAX + t62)) : -TB_C(1.0);
     const real_t t64 = structure[2] * t55 + structure[7] * t54;
-    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_C(10.0) + t64)) : -TB_C(1.0);
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_TENSION_MAX + t64)) : -TB_C(1.0);
     real_t t66, t67, t68, t69, t70;
     if (t36) {
         t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
@@ -414,7 +415,7 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const bool t103 = t102 < TB_C(5.0);
     real_t t104;
     if (t101) {
-        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_TENSION_MAX, TB_C(0.0));
         t104 = t105 * (TB_C(1.0) / t100);
     } else {
         t104 = TB_C(1e+30);
@@ -423,7 +424,7 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const real_t t107 = side[0] * (t87 * t106);
     real_t t108;
     if (t35 < t107) {
-        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_TENSION_MAX : TB_C(0.0));
         t108 = tb_max(-(side[0] * t109), TB_C(0.0)) / t107;
     } else {
         t108 = TB_C(1e+30);
@@ -431,7 +432,7 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const real_t t110 = side[1] * (t89 * t106);
     real_t t111;
     if (t35 < t110) {
-        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_TENSION_MAX : TB_C(0.0));
         t111 = tb_max(-(side[1] * t112), TB_C(0.0)) / t110;
     } else {
         t111 = TB_C(1e+30);
@@ -439,7 +440,7 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const real_t t113 = side[2] * (t92 * t106);
     real_t t114;
     if (t35 < t113) {
-        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_TENSION_MAX : TB_C(0.0));
         t114 = tb_max(-(side[2] * t115), TB_C(0.0)) / t113;
     } else {
         t114 = TB_C(1e+30);
@@ -447,7 +448,7 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const real_t t116 = side[3] * (t95 * t106);
     real_t t117;
     if (t35 < t116) {
-        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_TENSION_MAX : TB_C(0.0));
         t117 = tb_max(-(side[3] * t118), TB_C(0.0)) / t116;
     } else {
         t117 = TB_C(1e+30);
@@ -455,7 +456,7 @@ static tb_status tb_zero_wrench_tension_step(const real_t structure[10], real_t 
     const real_t t119 = side[4] * (t98 * t106);
     real_t t120;
     if (t35 < t119) {
-        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_TENSION_MAX : TB_C(0.0));
         t120 = tb_max(-(side[4] * t121), TB_C(0.0)) / t119;
     } else {
         t120 = TB_C(1e+30);
@@ -549,14 +550,14 @@ static tb_status tb_zero_wrench_tension_finish(const real_t structure[10], const
     const bool t31 = TB_C(0.0) == side[0];
     const bool t32 = TB_C(0.0) < side[0];
     const bool t33 = TB_C(0.0) < side[1];
-    const real_t t34 = (t32 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t33 ? structure[1] *
-        TB_C(10.0) : TB_C(0.0));
+    const real_t t34 = (t32 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t33 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t35 = TB_C(0.0) < side[2];
-    const real_t t36 = t34 + (t35 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const real_t t36 = t34 + (t35 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t37 = TB_C(0.0) < side[3];
-    const real_t t38 = t36 + (t37 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const real_t t38 = t36 + (t37 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const bool t39 = TB_C(0.0) < side[4];
-    const real_t t40 = t38 + (t39 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t40 = t38 + (t39 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t41 = t31 ? (t31 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
     const bool t42 = TB_C(0.0) == side[1];
     const real_t t43 = t42 ? (t42 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
@@ -579,11 +580,11 @@ static tb_status tb_zero_wrench_tension_finish(const real_t structure[10], const
     const real_t t60 = t48 ? (t48 ? structure[9] * structure[4] : TB_C(0.0)) : TB_C(0.0);
     const real_t t61 = (t58 + t59 + t60) * (TB_C(1.0) / (t50 * (t50 + TB_ABS(t51))));
     const real_t t62 = (t31 ? structure[5] : TB_C(0.0)) - t55 * t61;
-    const real_t t63 = (t32 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t33 ? structure[6] *
-        TB_C(10.0) : TB_C(0.0));
-    const real_t t64 = t63 + (t35 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-    const real_t t65 = t64 + (t37 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-    const real_t t66 = t65 + (t39 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t63 = (t32 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t33 ? structure[6]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t64 = t63 + (t35 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t65 = t64 + (t37 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t66 = t65 + (t39 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t67 = structure[6] - structure[1] * t61;
     const real_t t68 = structure[7] - structure[2] * t61;
     const real_t t69 = (t42 ? (t42 ? t67 * t67 : TB_C(0.0)) : TB_C(0.0)) + (t44 ? (t44 ? t68 *
@@ -615,34 +616,34 @@ static tb_status tb_zero_wrench_tension_finish(const real_t structure[10], const
     const real_t t90 = t75 * (t75 * (t89 + t62 * t86));
     const real_t t91 = t53 * (t86 + t62 * t90);
     const real_t t92 = t78 + (structure[0] * t91 + structure[5] * t90);
-    const real_t t93 = t32 ? TB_C(10.0) : TB_C(0.0);
-    const real_t t94 = tb_min(tb_max(t31 ? -t92 : t93, TB_C(0.0)), TB_C(10.0));
+    const real_t t93 = t32 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t t94 = tb_min(tb_max(t31 ? -t92 : t93, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_0 = t30 ? t94 : TB_C(0.0);
     const real_t t95 = t79 + (structure[1] * t91 + structure[6] * t90);
-    const real_t t96 = t33 ? TB_C(10.0) : TB_C(0.0);
-    const real_t t97 = tb_min(tb_max(t42 ? -t95 : t96, TB_C(0.0)), TB_C(10.0));
+    const real_t t96 = t33 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t t97 = tb_min(tb_max(t42 ? -t95 : t96, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_1 = t30 ? t97 : TB_C(0.0);
     const real_t t98 = t81 + (structure[2] * t91 + structure[7] * t90);
-    const real_t t99 = t35 ? TB_C(10.0) : TB_C(0.0);
-    const real_t t100 = tb_min(tb_max(t44 ? -t98 : t99, TB_C(0.0)), TB_C(10.0));
+    const real_t t99 = t35 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t t100 = tb_min(tb_max(t44 ? -t98 : t99, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_2 = t30 ? t100 : TB_C(0.0);
     const real_t t101 = t82 + (structure[3] * t91 + structure[8] * t90);
-    const real_t t102 = t37 ? TB_C(10.0) : TB_C(0.0);
-    const real_t t103 = tb_min(tb_max(t46 ? -t101 : t102, TB_C(0.0)), TB_C(10.0));
+    const real_t t102 = t37 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t t103 = tb_min(tb_max(t46 ? -t101 : t102, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_3 = t30 ? t103 : TB_C(0.0);
     const real_t t104 = t84 + (structure[4] * t91 + structure[9] * t90);
-    const real_t t105 = t39 ? TB_C(10.0) : TB_C(0.0);
-    const real_t t106 = tb_min(tb_max(t48 ? -t104 : t105, TB_C(0.0)), TB_C(10.0));
+    const real_t t105 = t39 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t t106 = tb_min(tb_max(t48 ? -t104 : t105, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_4 = t30 ? t106 : TB_C(0.0);
     const bool t107 = !t30;
     const real_t t108 = tb_max(side[0] * (t92 + t93), side[1] * (t95 + t96));
     const real_t t109 = tb_max(tb_max(t108, side[2] * (t98 + t99)), side[3] * (t101 + t102));
     const real_t t110 = tb_max(TB_C(0.0), tb_max(t109, side[4] * (t104 + t105)));
     const real_t t111 = tb_min(TB_C(1.0), tb_min(TB_ABS(t52), TB_ABS(t74)));
-    const real_t t112 = tb_max(TB_C(10.0), tb_max(TB_ABS(t77), TB_ABS(t76)));
+    const real_t t112 = tb_max(TB_TENSION_MAX, tb_max(TB_ABS(t77), TB_ABS(t76)));
     const real_t t113 = structure[0] * t94 + structure[1] * t97 + structure[2] * t100;
     const real_t t114 = TB_ABS(t113 + structure[3] * t103 + structure[4] * t106);
-    const real_t t115 = tb_max(TB_C(10.0) * (t110 * t111) * (TB_C(1.0) / t112), t114);
+    const real_t t115 = tb_max(TB_TENSION_MAX * (t110 * t111) * (TB_C(1.0) / t112), t114);
     const real_t t116 = structure[5] * t94 + structure[6] * t97 + structure[7] * t100;
     const real_t t117 = TB_ABS(t116 + structure[8] * t103 + structure[9] * t106);
     const real_t t118 = TB_C(1600.0) * TB_EPSILON / tb_min(TB_C(1.0), pivot[0]);
@@ -725,7 +726,7 @@ static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rail
         return tb_refuse_tension_factor_begin(TB_OUT_OF_DOMAIN, structure, pivot, side, moving, push);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     const real_t t3 = TB_SQRT(t0 + t2);
     const real_t t4 = TB_C(1.0) / t3;
@@ -736,7 +737,7 @@ static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rail
     const real_t t8 = TB_C(1.0) / t7;
     const real_t t9 = pose[0] * t8;
     const real_t structure_1 = -t9;
-    const real_t t10 = TB_C(1.0) - pose[0];
+    const real_t t10 = TB_FRAME - pose[0];
     const real_t t11 = t10 * t10;
     const real_t t12 = TB_SQRT(t6 + t11);
     const real_t t13 = TB_C(1.0) / t12;
@@ -744,7 +745,7 @@ static tb_status tb_tension_factor_begin(const real_t pose[2], const real_t rail
     const real_t t14 = TB_SQRT(t2 + t11);
     const real_t t15 = TB_C(1.0) / t14;
     const real_t structure_3 = t10 * t15;
-    const real_t t16 = TB_C(0.5) - pose[0];
+    const real_t t16 = TB_BASE_5_X - pose[0];
     const real_t t17 = TB_SQRT(t2 + t16 * t16);
     const real_t t18 = TB_C(1.0) / t17;
     const real_t structure_4 = t16 * t18;
@@ -843,34 +844,34 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const real_t t37 = TB_C(1.0) / t17;
     const bool t38 = TB_C(0.0) < side[0];
     const bool t39 = TB_C(0.0) < side[1];
-    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
-        TB_C(10.0) : TB_C(0.0));
+    const real_t t40 = (t38 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t41 = TB_C(0.0) < side[2];
-    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t43 = TB_C(0.0) < side[3];
-    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const bool t45 = TB_C(0.0) < side[4];
-    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t47 = t46 * t37;
     const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
     const real_t t49 = TB_C(1.0) / t32;
-    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
-        TB_C(10.0) : TB_C(0.0));
-    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t50 = (t38 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[6]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t54 = t49 * ((t53 + t47 * t48) * t49);
     const real_t t55 = t37 * (t47 + t48 * t54);
     const real_t t56 = structure[3] * t55 + structure[8] * t54;
-    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_C(10.0) + t56)) : -TB_C(1.0);
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_TENSION_MAX + t56)) : -TB_C(1.0);
     const real_t t58 = structure[4] * t55 + structure[9] * t54;
-    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_C(10.0) + t58)) : -TB_C(1.0);
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_TENSION_MAX + t58)) : -TB_C(1.0);
     const real_t t60 = structure[0] * t55 + structure[5] * t54;
-    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_C(10.0) + t60)) : -TB_C(1.0);
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_TENSION_MAX + t60)) : -TB_C(1.0);
     const real_t t62 = structure[1] * t55 + structure[6] * t54;
-    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_C(10.0) + t62)) : -TB_C(1.0);
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_TENSION_MAX + t62)) : -TB_C(1.0);
     const real_t t64 = structure[2] * t55 + structure[7] * t54;
-    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_C(10.0) + t64)) : -TB_C(1.0);
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_TENSION_MAX + t64)) : -TB_C(1.0);
     real_t t66, t67, t68, t69, t70;
     if (t36) {
         t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
@@ -937,7 +938,7 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const bool t103 = t102 < TB_C(5.0);
     real_t t104;
     if (t101) {
-        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_TENSION_MAX, TB_C(0.0));
         t104 = t105 * (TB_C(1.0) / t100);
     } else {
         t104 = TB_C(1e+30);
@@ -946,7 +947,7 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const real_t t107 = side[0] * (t87 * t106);
     real_t t108;
     if (t35 < t107) {
-        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_TENSION_MAX : TB_C(0.0));
         t108 = tb_max(-(side[0] * t109), TB_C(0.0)) / t107;
     } else {
         t108 = TB_C(1e+30);
@@ -954,7 +955,7 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const real_t t110 = side[1] * (t89 * t106);
     real_t t111;
     if (t35 < t110) {
-        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_TENSION_MAX : TB_C(0.0));
         t111 = tb_max(-(side[1] * t112), TB_C(0.0)) / t110;
     } else {
         t111 = TB_C(1e+30);
@@ -962,7 +963,7 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const real_t t113 = side[2] * (t92 * t106);
     real_t t114;
     if (t35 < t113) {
-        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_TENSION_MAX : TB_C(0.0));
         t114 = tb_max(-(side[2] * t115), TB_C(0.0)) / t113;
     } else {
         t114 = TB_C(1e+30);
@@ -970,7 +971,7 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const real_t t116 = side[3] * (t95 * t106);
     real_t t117;
     if (t35 < t116) {
-        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_TENSION_MAX : TB_C(0.0));
         t117 = tb_max(-(side[3] * t118), TB_C(0.0)) / t116;
     } else {
         t117 = TB_C(1e+30);
@@ -978,7 +979,7 @@ static tb_status tb_tension_factor_step(const real_t structure[10], real_t side[
     const real_t t119 = side[4] * (t98 * t106);
     real_t t120;
     if (t35 < t119) {
-        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_TENSION_MAX : TB_C(0.0));
         t120 = tb_max(-(side[4] * t121), TB_C(0.0)) / t119;
     } else {
         t120 = TB_C(1e+30);
@@ -1073,14 +1074,14 @@ static tb_status tb_tension_factor_finish(const real_t structure[10], const real
     const bool t31 = TB_C(0.0) == side[0];
     const bool t32 = TB_C(0.0) < side[0];
     const bool t33 = TB_C(0.0) < side[1];
-    const real_t t34 = (t32 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t33 ? structure[1] *
-        TB_C(10.0) : TB_C(0.0));
+    const real_t t34 = (t32 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t33 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t35 = TB_C(0.0) < side[2];
-    const real_t t36 = t34 + (t35 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const real_t t36 = t34 + (t35 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t37 = TB_C(0.0) < side[3];
-    const real_t t38 = t36 + (t37 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const real_t t38 = t36 + (t37 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const bool t39 = TB_C(0.0) < side[4];
-    const real_t t40 = t38 + (t39 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t40 = t38 + (t39 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t41 = t31 ? (t31 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
     const bool t42 = TB_C(0.0) == side[1];
     const real_t t43 = t42 ? (t42 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
@@ -1103,11 +1104,11 @@ static tb_status tb_tension_factor_finish(const real_t structure[10], const real
     const real_t t60 = t48 ? (t48 ? structure[9] * structure[4] : TB_C(0.0)) : TB_C(0.0);
     const real_t t61 = (t58 + t59 + t60) * (TB_C(1.0) / (t50 * (t50 + TB_ABS(t51))));
     const real_t t62 = (t31 ? structure[5] : TB_C(0.0)) - t55 * t61;
-    const real_t t63 = (t32 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t33 ? structure[6] *
-        TB_C(10.0) : TB_C(0.0));
-    const real_t t64 = t63 + (t35 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-    const real_t t65 = t64 + (t37 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-    const real_t t66 = t65 + (t39 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t63 = (t32 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t33 ? structure[6]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t64 = t63 + (t35 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t65 = t64 + (t37 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t66 = t65 + (t39 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t67 = structure[6] - structure[1] * t61;
     const real_t t68 = structure[7] - structure[2] * t61;
     const real_t t69 = (t42 ? (t42 ? t67 * t67 : TB_C(0.0)) : TB_C(0.0)) + (t44 ? (t44 ? t68 *
@@ -1138,20 +1139,20 @@ static tb_status tb_tension_factor_finish(const real_t structure[10], const real
     const real_t t89 = t74 * (t74 * (t88 + t62 * t85));
     const real_t t90 = t53 * (t85 + t62 * t89);
     const real_t t91 = -(t77 + (structure[0] * t90 + structure[5] * t89));
-    const real_t t92 = tb_max(t31 ? t91 : (t32 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-    const real_t t93 = tb_min(t92, TB_C(10.0));
+    const real_t t92 = tb_max(t31 ? t91 : (t32 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+    const real_t t93 = tb_min(t92, TB_TENSION_MAX);
     const real_t t94 = -(t78 + (structure[1] * t90 + structure[6] * t89));
-    const real_t t95 = tb_max(t42 ? t94 : (t33 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-    const real_t t96 = tb_min(t95, TB_C(10.0));
+    const real_t t95 = tb_max(t42 ? t94 : (t33 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+    const real_t t96 = tb_min(t95, TB_TENSION_MAX);
     const real_t t97 = -(t80 + (structure[2] * t90 + structure[7] * t89));
-    const real_t t98 = tb_max(t44 ? t97 : (t35 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-    const real_t t99 = tb_min(t98, TB_C(10.0));
+    const real_t t98 = tb_max(t44 ? t97 : (t35 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+    const real_t t99 = tb_min(t98, TB_TENSION_MAX);
     const real_t t100 = -(t81 + (structure[3] * t90 + structure[8] * t89));
-    const real_t t101 = tb_max(t46 ? t100 : (t37 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-    const real_t t102 = tb_min(t101, TB_C(10.0));
+    const real_t t101 = tb_max(t46 ? t100 : (t37 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+    const real_t t102 = tb_min(t101, TB_TENSION_MAX);
     const real_t t103 = -(t83 + (structure[4] * t90 + structure[9] * t89));
-    const real_t t104 = tb_max(t48 ? t103 : (t39 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-    const real_t t105 = tb_min(t104, TB_C(10.0));
+    const real_t t104 = tb_max(t48 ? t103 : (t39 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+    const real_t t105 = tb_min(t104, TB_TENSION_MAX);
     const real_t t106 = tb_max(tb_max(tb_max(tb_max(t93, t96), t99), t102), t105);
     real_t factor_0;
     if (t30) {
@@ -1227,7 +1228,7 @@ static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_
         return tb_refuse_isotropic_force_eq17_begin(TB_OUT_OF_DOMAIN, structure, pivot, side, moving, push);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     const real_t t3 = TB_SQRT(t0 + t2);
     const real_t t4 = TB_C(1.0) / t3;
@@ -1238,7 +1239,7 @@ static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_
     const real_t t8 = TB_C(1.0) / t7;
     const real_t t9 = pose[0] * t8;
     const real_t structure_1 = -t9;
-    const real_t t10 = TB_C(1.0) - pose[0];
+    const real_t t10 = TB_FRAME - pose[0];
     const real_t t11 = t10 * t10;
     const real_t t12 = TB_SQRT(t6 + t11);
     const real_t t13 = TB_C(1.0) / t12;
@@ -1246,7 +1247,7 @@ static tb_status tb_isotropic_force_eq17_begin(const real_t pose[2], const real_
     const real_t t14 = TB_SQRT(t2 + t11);
     const real_t t15 = TB_C(1.0) / t14;
     const real_t structure_3 = t10 * t15;
-    const real_t t16 = TB_C(0.5) - pose[0];
+    const real_t t16 = TB_BASE_5_X - pose[0];
     const real_t t17 = TB_SQRT(t2 + t16 * t16);
     const real_t t18 = TB_C(1.0) / t17;
     const real_t structure_4 = t16 * t18;
@@ -1345,34 +1346,34 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const real_t t37 = TB_C(1.0) / t17;
     const bool t38 = TB_C(0.0) < side[0];
     const bool t39 = TB_C(0.0) < side[1];
-    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
-        TB_C(10.0) : TB_C(0.0));
+    const real_t t40 = (t38 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t41 = TB_C(0.0) < side[2];
-    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t43 = TB_C(0.0) < side[3];
-    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const bool t45 = TB_C(0.0) < side[4];
-    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t47 = t46 * t37;
     const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
     const real_t t49 = TB_C(1.0) / t32;
-    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
-        TB_C(10.0) : TB_C(0.0));
-    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t50 = (t38 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[6]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t54 = t49 * ((t53 + t47 * t48) * t49);
     const real_t t55 = t37 * (t47 + t48 * t54);
     const real_t t56 = structure[3] * t55 + structure[8] * t54;
-    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_C(10.0) + t56)) : -TB_C(1.0);
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(t56, -(TB_TENSION_MAX + t56)) : -TB_C(1.0);
     const real_t t58 = structure[4] * t55 + structure[9] * t54;
-    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_C(10.0) + t58)) : -TB_C(1.0);
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(t58, -(TB_TENSION_MAX + t58)) : -TB_C(1.0);
     const real_t t60 = structure[0] * t55 + structure[5] * t54;
-    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_C(10.0) + t60)) : -TB_C(1.0);
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(t60, -(TB_TENSION_MAX + t60)) : -TB_C(1.0);
     const real_t t62 = structure[1] * t55 + structure[6] * t54;
-    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_C(10.0) + t62)) : -TB_C(1.0);
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(t62, -(TB_TENSION_MAX + t62)) : -TB_C(1.0);
     const real_t t64 = structure[2] * t55 + structure[7] * t54;
-    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_C(10.0) + t64)) : -TB_C(1.0);
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(t64, -(TB_TENSION_MAX + t64)) : -TB_C(1.0);
     real_t t66, t67, t68, t69, t70;
     if (t36) {
         t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
@@ -1439,7 +1440,7 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const bool t103 = t102 < TB_C(5.0);
     real_t t104;
     if (t101) {
-        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_TENSION_MAX, TB_C(0.0));
         t104 = t105 * (TB_C(1.0) / t100);
     } else {
         t104 = TB_C(1e+30);
@@ -1448,7 +1449,7 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const real_t t107 = side[0] * (t87 * t106);
     real_t t108;
     if (t35 < t107) {
-        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t109 = t60 + t87 * push[0] + (t38 ? TB_TENSION_MAX : TB_C(0.0));
         t108 = tb_max(-(side[0] * t109), TB_C(0.0)) / t107;
     } else {
         t108 = TB_C(1e+30);
@@ -1456,7 +1457,7 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const real_t t110 = side[1] * (t89 * t106);
     real_t t111;
     if (t35 < t110) {
-        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t112 = t62 + t89 * push[0] + (t39 ? TB_TENSION_MAX : TB_C(0.0));
         t111 = tb_max(-(side[1] * t112), TB_C(0.0)) / t110;
     } else {
         t111 = TB_C(1e+30);
@@ -1464,7 +1465,7 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const real_t t113 = side[2] * (t92 * t106);
     real_t t114;
     if (t35 < t113) {
-        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t115 = t64 + t92 * push[0] + (t41 ? TB_TENSION_MAX : TB_C(0.0));
         t114 = tb_max(-(side[2] * t115), TB_C(0.0)) / t113;
     } else {
         t114 = TB_C(1e+30);
@@ -1472,7 +1473,7 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const real_t t116 = side[3] * (t95 * t106);
     real_t t117;
     if (t35 < t116) {
-        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t118 = t56 + t95 * push[0] + (t43 ? TB_TENSION_MAX : TB_C(0.0));
         t117 = tb_max(-(side[3] * t118), TB_C(0.0)) / t116;
     } else {
         t117 = TB_C(1e+30);
@@ -1480,7 +1481,7 @@ static tb_status tb_isotropic_force_eq17_step(const real_t structure[10], real_t
     const real_t t119 = side[4] * (t98 * t106);
     real_t t120;
     if (t35 < t119) {
-        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t121 = t58 + t98 * push[0] + (t45 ? TB_TENSION_MAX : TB_C(0.0));
         t120 = tb_max(-(side[4] * t121), TB_C(0.0)) / t119;
     } else {
         t120 = TB_C(1e+30);
@@ -1611,14 +1612,14 @@ static tb_status tb_isotropic_force_eq17_finish(const real_t structure[10], cons
         const bool t64 = TB_C(0.0) == side[0];
         const bool t65 = TB_C(0.0) < side[0];
         const bool t66 = TB_C(0.0) < side[1];
-        const real_t t67 = (t65 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t66 ? structure[1]
-            * TB_C(10.0) : TB_C(0.0));
+        const real_t t67 = (t65 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t66 ?
+            structure[1] * TB_TENSION_MAX : TB_C(0.0));
         const bool t68 = TB_C(0.0) < side[2];
-        const real_t t69 = t67 + (t68 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+        const real_t t69 = t67 + (t68 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
         const bool t70 = TB_C(0.0) < side[3];
-        const real_t t71 = t69 + (t70 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+        const real_t t71 = t69 + (t70 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
         const bool t72 = TB_C(0.0) < side[4];
-        const real_t t73 = t71 + (t72 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+        const real_t t73 = t71 + (t72 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
         const real_t t74 = t64 ? (t64 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
         const bool t75 = TB_C(0.0) == side[1];
         const real_t t76 = t75 ? (t75 ? structure[1] * structure[1] : TB_C(0.0)) : TB_C(0.0);
@@ -1641,11 +1642,11 @@ static tb_status tb_isotropic_force_eq17_finish(const real_t structure[10], cons
         const real_t t93 = t81 ? (t81 ? structure[9] * structure[4] : TB_C(0.0)) : TB_C(0.0);
         const real_t t94 = (t91 + t92 + t93) * (TB_C(1.0) / (t83 * (t83 + TB_ABS(t84))));
         const real_t t95 = (t64 ? structure[5] : TB_C(0.0)) - t88 * t94;
-        const real_t t96 = (t65 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t66 ? structure[6]
-            * TB_C(10.0) : TB_C(0.0));
-        const real_t t97 = t96 + (t68 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-        const real_t t98 = t97 + (t70 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-        const real_t t99 = t98 + (t72 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+        const real_t t96 = (t65 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t66 ?
+            structure[6] * TB_TENSION_MAX : TB_C(0.0));
+        const real_t t97 = t96 + (t68 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+        const real_t t98 = t97 + (t70 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+        const real_t t99 = t98 + (t72 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
         const real_t t100 = structure[6] - structure[1] * t94;
         const real_t t101 = t75 ? (t75 ? t100 * t100 : TB_C(0.0)) : TB_C(0.0);
         const real_t t102 = structure[7] - structure[2] * t94;
@@ -1678,11 +1679,11 @@ static tb_status tb_isotropic_force_eq17_finish(const real_t structure[10], cons
         const real_t t126 = t109 * (t109 * (t99 + t125 + t95 * t121));
         const real_t t127 = t86 * (t121 + t95 * t126);
         const real_t t128 = t112 + (structure[0] * t127 + structure[5] * t126);
-        const real_t t129 = tb_max(t64 ? -t128 : (t65 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-        const real_t t130 = TB_C(10.0) - tb_min(t129, TB_C(10.0));
+        const real_t t129 = tb_max(t64 ? -t128 : (t65 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+        const real_t t130 = TB_TENSION_MAX - tb_min(t129, TB_TENSION_MAX);
         const real_t t131 = t113 + (structure[1] * t127 + structure[6] * t126);
-        const real_t t132 = tb_max(t75 ? -t131 : (t66 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-        const real_t t133 = TB_C(10.0) - tb_min(t132, TB_C(10.0));
+        const real_t t132 = tb_max(t75 ? -t131 : (t66 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+        const real_t t133 = TB_TENSION_MAX - tb_min(t132, TB_TENSION_MAX);
         const real_t t134 = tb_min(t130, t133);
         const real_t t135 = structure[0] * structure[2] + structure[5] * structure[7];
         const bool t136 = t135 < TB_C(0.0);
@@ -1693,8 +1694,8 @@ static tb_status tb_isotropic_force_eq17_finish(const real_t structure[10], cons
         const bool t141 = TB_C(0.0) < t140;
         const bool t142 = !((t51 && t137) || (t57 && t139) || (t60 && t141));
         const real_t t143 = t115 + (structure[2] * t127 + structure[7] * t126);
-        const real_t t144 = tb_max(t77 ? -t143 : (t68 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-        const real_t t145 = TB_C(10.0) - tb_min(t144, TB_C(10.0));
+        const real_t t144 = tb_max(t77 ? -t143 : (t68 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+        const real_t t145 = TB_TENSION_MAX - tb_min(t144, TB_TENSION_MAX);
         const real_t t146 = tb_min(t130, t145);
         const real_t t147 = (t54 || (TB_C(0.0) <= t6 && t136)) && t142 ? (t136 ? t6 * t146 :
             t146) : TB_C(1e+30);
@@ -1707,8 +1708,8 @@ static tb_status tb_isotropic_force_eq17_finish(const real_t structure[10], cons
         const bool t154 = TB_C(0.0) < t153;
         const bool t155 = !((t51 && t151) || (t54 && t152) || (t60 && t154));
         const real_t t156 = t117 + (structure[3] * t127 + structure[8] * t126);
-        const real_t t157 = tb_max(t79 ? -t156 : (t70 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-        const real_t t158 = TB_C(10.0) - tb_min(t157, TB_C(10.0));
+        const real_t t157 = tb_max(t79 ? -t156 : (t70 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+        const real_t t158 = TB_TENSION_MAX - tb_min(t157, TB_TENSION_MAX);
         const real_t t159 = tb_min(t130, t158);
         const real_t t160 = (t57 || (TB_C(0.0) <= t10 && t150)) && t155 ? (t150 ? t10 * t159 :
             t159) : TB_C(1e+30);
@@ -1719,8 +1720,8 @@ static tb_status tb_isotropic_force_eq17_finish(const real_t structure[10], cons
         const bool t165 = TB_C(0.0) < t45;
         const bool t166 = !((t51 && t163) || (t54 && t164) || (t57 && t165));
         const real_t t167 = t119 + (structure[4] * t127 + structure[9] * t126);
-        const real_t t168 = tb_max(t81 ? -t167 : (t72 ? TB_C(10.0) : TB_C(0.0)), TB_C(0.0));
-        const real_t t169 = TB_C(10.0) - tb_min(t168, TB_C(10.0));
+        const real_t t168 = tb_max(t81 ? -t167 : (t72 ? TB_TENSION_MAX : TB_C(0.0)), TB_C(0.0));
+        const real_t t169 = TB_TENSION_MAX - tb_min(t168, TB_TENSION_MAX);
         const real_t t170 = tb_min(t130, t169);
         const real_t t171 = (t60 || (TB_C(0.0) <= t14 && t162)) && t166 ? (t162 ? t14 * t170 :
             t170) : TB_C(1e+30);

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
+/* Regenerate: turnbuckle generate machines/brau_five.toml --out <this folder>
  * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_QUALITY_H

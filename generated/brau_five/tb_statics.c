@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
+/* Regenerate: turnbuckle generate machines/brau_five.toml --out <this folder>
  * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[10], const real_t tension[5], real_t wrench[2])
 {
@@ -46,12 +47,12 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
         return tb_refuse_wrench_share_eq10(TB_OUT_OF_DOMAIN, share);
     }
     const real_t t0 = pose[0] * pose[0];
-    const real_t t1 = TB_C(1.0) - pose[1];
+    const real_t t1 = TB_FRAME - pose[1];
     const real_t t2 = t1 * t1;
     const real_t t3 = TB_SQRT(t0 + t2);
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = pose[0] * pose[1] - pose[0] * t1 - pose[1] * t4 + t1 * t4;
-    const real_t t6 = TB_C(0.5) - pose[0];
+    const real_t t6 = TB_BASE_5_X - pose[0];
     const real_t t7 = t4 * t4;
     const real_t t8 = t6 * t6;
     const real_t t9 = t7 + (t0 * TB_C(2.0) + t7) + t8;

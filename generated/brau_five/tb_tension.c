@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_five.toml --out generated/brau_five
+/* Regenerate: turnbuckle generate machines/brau_five.toml --out <this folder>
  * Machine b614899c8a021831, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench[2],
     real_t served[2], real_t inner[2])
@@ -187,14 +188,14 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
             const bool t121 = (t117 && !t119) || (t120 && TB_C(0.0) < t21 - t20);
             const bool t122 = !t115;
             const bool t123 = (t115 && t121) || (t122 && !t121);
-            const real_t t124 = structure[0] * TB_C(10.0);
+            const real_t t124 = structure[0] * TB_TENSION_MAX;
             const bool t125 = t37 <= t116;
             const real_t t126 = structure[1] * structure[4] + structure[6] * structure[9];
             const bool t127 = TB_C(0.0) < t126;
             const bool t128 = !t125;
             const bool t129 = (t125 && !t127) || (t128 && TB_C(0.0) < t35 - t34);
             const bool t130 = (t115 && t129) || (t122 && !t129);
-            const real_t t131 = structure[1] * TB_C(10.0);
+            const real_t t131 = structure[1] * TB_TENSION_MAX;
             const real_t t132 = (t123 ? t124 : TB_C(0.0)) + (t130 ? t131 : TB_C(0.0));
             const bool t133 = t47 <= t116;
             const real_t t134 = structure[2] * structure[4] + structure[7] * structure[9];
@@ -202,26 +203,26 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
             const bool t136 = !t133;
             const bool t137 = (t133 && !t135) || (t136 && TB_C(0.0) < t45 - t44);
             const bool t138 = (t115 && t137) || (t122 && !t137);
-            const real_t t139 = structure[2] * TB_C(10.0);
+            const real_t t139 = structure[2] * TB_TENSION_MAX;
             const bool t140 = t54 <= t116;
             const real_t t141 = structure[3] * structure[4] + structure[8] * structure[9];
             const bool t142 = TB_C(0.0) < t141;
             const bool t143 = !t140;
             const bool t144 = (t140 && !t142) || (t143 && TB_C(0.0) < t52 - t51);
             const bool t145 = (t115 && t144) || (t122 && !t144);
-            const real_t t146 = structure[3] * TB_C(10.0);
+            const real_t t146 = structure[3] * TB_TENSION_MAX;
             const real_t t147 = t132 + (t138 ? t139 : TB_C(0.0)) + (t145 ? t146 : TB_C(0.0));
-            const real_t t148 = structure[5] * TB_C(10.0);
-            const real_t t149 = structure[6] * TB_C(10.0);
+            const real_t t148 = structure[5] * TB_TENSION_MAX;
+            const real_t t149 = structure[6] * TB_TENSION_MAX;
             const real_t t150 = (t123 ? t148 : TB_C(0.0)) + (t130 ? t149 : TB_C(0.0));
-            const real_t t151 = structure[7] * TB_C(10.0);
-            const real_t t152 = structure[8] * TB_C(10.0);
+            const real_t t151 = structure[7] * TB_TENSION_MAX;
+            const real_t t152 = structure[8] * TB_TENSION_MAX;
             const real_t t153 = t150 + (t138 ? t151 : TB_C(0.0)) + (t145 ? t152 : TB_C(0.0));
             const real_t t154 = structure[4] * (wrench[0] - t147) + structure[9] * (wrench[1] -
                 t153);
             const real_t t155 = structure[4] * structure[4] + structure[9] * structure[9];
             const real_t t156 = tb_min(tb_max(t154 * (TB_C(1.0) / t155), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t157 = t147 + structure[4] * t156;
             const real_t t158 = t157 - wrench[0];
             const real_t t159 = t153 + structure[9] * t156;
@@ -250,16 +251,16 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
             const bool t182 = (t162 && t181) || (t168 && !t181);
             const bool t183 = (t140 && t142) || (t143 && TB_C(0.0) < t53);
             const bool t184 = (t162 && t183) || (t168 && !t183);
-            const real_t t185 = structure[4] * TB_C(10.0);
+            const real_t t185 = structure[4] * TB_TENSION_MAX;
             const real_t t186 = t176 + (t182 ? t139 : TB_C(0.0)) + (t184 ? t185 : TB_C(0.0));
             const real_t t187 = (t169 ? t148 : TB_C(0.0)) + (t175 ? t149 : TB_C(0.0));
-            const real_t t188 = structure[9] * TB_C(10.0);
+            const real_t t188 = structure[9] * TB_TENSION_MAX;
             const real_t t189 = t187 + (t182 ? t151 : TB_C(0.0)) + (t184 ? t188 : TB_C(0.0));
             const real_t t190 = structure[3] * (wrench[0] - t186) + structure[8] * (wrench[1] -
                 t189);
             const real_t t191 = structure[3] * structure[3] + structure[8] * structure[8];
             const real_t t192 = tb_min(tb_max(t190 * (TB_C(1.0) / t191), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t193 = t186 + structure[3] * t192;
             const real_t t194 = t193 - wrench[0];
             const real_t t195 = t189 + structure[8] * t192;
@@ -291,7 +292,7 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
                 t219);
             const real_t t221 = structure[2] * structure[2] + structure[7] * structure[7];
             const real_t t222 = tb_min(tb_max(t220 * (TB_C(1.0) / t221), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t223 = t217 + structure[2] * t222;
             const real_t t224 = t223 - wrench[0];
             const real_t t225 = t219 + structure[7] * t222;
@@ -319,7 +320,7 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
                 t245);
             const real_t t247 = structure[1] * structure[1] + structure[6] * structure[6];
             const real_t t248 = tb_min(tb_max(t246 * (TB_C(1.0) / t247), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t249 = t243 + structure[1] * t248;
             const real_t t250 = t249 - wrench[0];
             const real_t t251 = t245 + structure[6] * t248;
@@ -343,7 +344,7 @@ tb_status tb_served_wrench_scale(const real_t structure[10], const real_t wrench
                 t267);
             const real_t t269 = structure[0] * structure[0] + structure[5] * structure[5];
             const real_t t270 = tb_min(tb_max(t268 * (TB_C(1.0) / t269), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t271 = t265 + structure[0] * t270;
             const real_t t272 = t271 - wrench[0];
             const real_t t273 = t267 + structure[5] * t270;
@@ -495,14 +496,14 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
         const bool t65 = (t61 && !t63) || (t64 && TB_C(0.0) < t21 - t20);
         const bool t66 = !t59;
         const bool t67 = (t59 && t65) || (t66 && !t65);
-        const real_t t68 = structure[0] * TB_C(10.0);
+        const real_t t68 = structure[0] * TB_TENSION_MAX;
         const bool t69 = t37 <= t60;
         const real_t t70 = structure[1] * structure[4] + structure[6] * structure[9];
         const bool t71 = TB_C(0.0) < t70;
         const bool t72 = !t69;
         const bool t73 = (t69 && !t71) || (t72 && TB_C(0.0) < t35 - t34);
         const bool t74 = (t59 && t73) || (t66 && !t73);
-        const real_t t75 = structure[1] * TB_C(10.0);
+        const real_t t75 = structure[1] * TB_TENSION_MAX;
         const real_t t76 = (t67 ? t68 : TB_C(0.0)) + (t74 ? t75 : TB_C(0.0));
         const bool t77 = t47 <= t60;
         const real_t t78 = structure[2] * structure[4] + structure[7] * structure[9];
@@ -510,24 +511,24 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
         const bool t80 = !t77;
         const bool t81 = (t77 && !t79) || (t80 && TB_C(0.0) < t45 - t44);
         const bool t82 = (t59 && t81) || (t66 && !t81);
-        const real_t t83 = structure[2] * TB_C(10.0);
+        const real_t t83 = structure[2] * TB_TENSION_MAX;
         const bool t84 = t54 <= t60;
         const real_t t85 = structure[3] * structure[4] + structure[8] * structure[9];
         const bool t86 = TB_C(0.0) < t85;
         const bool t87 = !t84;
         const bool t88 = (t84 && !t86) || (t87 && TB_C(0.0) < t52 - t51);
         const bool t89 = (t59 && t88) || (t66 && !t88);
-        const real_t t90 = structure[3] * TB_C(10.0);
+        const real_t t90 = structure[3] * TB_TENSION_MAX;
         const real_t t91 = t76 + (t82 ? t83 : TB_C(0.0)) + (t89 ? t90 : TB_C(0.0));
-        const real_t t92 = structure[5] * TB_C(10.0);
-        const real_t t93 = structure[6] * TB_C(10.0);
+        const real_t t92 = structure[5] * TB_TENSION_MAX;
+        const real_t t93 = structure[6] * TB_TENSION_MAX;
         const real_t t94 = (t67 ? t92 : TB_C(0.0)) + (t74 ? t93 : TB_C(0.0));
-        const real_t t95 = structure[7] * TB_C(10.0);
-        const real_t t96 = structure[8] * TB_C(10.0);
+        const real_t t95 = structure[7] * TB_TENSION_MAX;
+        const real_t t96 = structure[8] * TB_TENSION_MAX;
         const real_t t97 = t94 + (t82 ? t95 : TB_C(0.0)) + (t89 ? t96 : TB_C(0.0));
         const real_t t98 = structure[4] * (wrench[0] - t91) + structure[9] * (wrench[1] - t97);
         const real_t t99 = structure[4] * structure[4] + structure[9] * structure[9];
-        const real_t t100 = tb_min(tb_max(t98 * (TB_C(1.0) / t99), TB_C(0.0)), TB_C(10.0));
+        const real_t t100 = tb_min(tb_max(t98 * (TB_C(1.0) / t99), TB_C(0.0)), TB_TENSION_MAX);
         const real_t t101 = t91 + structure[4] * t100;
         const real_t t102 = t101 - wrench[0];
         const real_t t103 = t97 + structure[9] * t100;
@@ -556,15 +557,16 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
         const bool t126 = (t106 && t125) || (t112 && !t125);
         const bool t127 = (t84 && t86) || (t87 && TB_C(0.0) < t53);
         const bool t128 = (t106 && t127) || (t112 && !t127);
-        const real_t t129 = structure[4] * TB_C(10.0);
+        const real_t t129 = structure[4] * TB_TENSION_MAX;
         const real_t t130 = t120 + (t126 ? t83 : TB_C(0.0)) + (t128 ? t129 : TB_C(0.0));
         const real_t t131 = (t113 ? t92 : TB_C(0.0)) + (t119 ? t93 : TB_C(0.0));
-        const real_t t132 = structure[9] * TB_C(10.0);
+        const real_t t132 = structure[9] * TB_TENSION_MAX;
         const real_t t133 = t131 + (t126 ? t95 : TB_C(0.0)) + (t128 ? t132 : TB_C(0.0));
         const real_t t134 = structure[3] * (wrench[0] - t130) + structure[8] * (wrench[1] -
             t133);
         const real_t t135 = structure[3] * structure[3] + structure[8] * structure[8];
-        const real_t t136 = tb_min(tb_max(t134 * (TB_C(1.0) / t135), TB_C(0.0)), TB_C(10.0));
+        const real_t t136 = tb_min(tb_max(t134 * (TB_C(1.0) / t135), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t137 = t130 + structure[3] * t136;
         const real_t t138 = t137 - wrench[0];
         const real_t t139 = t133 + structure[8] * t136;
@@ -595,7 +597,8 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
         const real_t t164 = structure[2] * (wrench[0] - t161) + structure[7] * (wrench[1] -
             t163);
         const real_t t165 = structure[2] * structure[2] + structure[7] * structure[7];
-        const real_t t166 = tb_min(tb_max(t164 * (TB_C(1.0) / t165), TB_C(0.0)), TB_C(10.0));
+        const real_t t166 = tb_min(tb_max(t164 * (TB_C(1.0) / t165), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t167 = t161 + structure[2] * t166;
         const real_t t168 = t167 - wrench[0];
         const real_t t169 = t163 + structure[7] * t166;
@@ -622,7 +625,8 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
         const real_t t190 = structure[1] * (wrench[0] - t187) + structure[6] * (wrench[1] -
             t189);
         const real_t t191 = structure[1] * structure[1] + structure[6] * structure[6];
-        const real_t t192 = tb_min(tb_max(t190 * (TB_C(1.0) / t191), TB_C(0.0)), TB_C(10.0));
+        const real_t t192 = tb_min(tb_max(t190 * (TB_C(1.0) / t191), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t193 = t187 + structure[1] * t192;
         const real_t t194 = t193 - wrench[0];
         const real_t t195 = t189 + structure[6] * t192;
@@ -645,7 +649,8 @@ tb_status tb_served_wrench_closest(const real_t structure[10], const real_t wren
         const real_t t212 = structure[0] * (wrench[0] - t209) + structure[5] * (wrench[1] -
             t211);
         const real_t t213 = structure[0] * structure[0] + structure[5] * structure[5];
-        const real_t t214 = tb_min(tb_max(t212 * (TB_C(1.0) / t213), TB_C(0.0)), TB_C(10.0));
+        const real_t t214 = tb_min(tb_max(t212 * (TB_C(1.0) / t213), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t215 = t209 + structure[0] * t214;
         const real_t t216 = t215 - wrench[0];
         const real_t t217 = t211 + structure[5] * t214;
@@ -799,34 +804,34 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const real_t t37 = TB_C(1.0) / t17;
     const bool t38 = TB_C(0.0) < side[0];
     const bool t39 = TB_C(0.0) < side[1];
-    const real_t t40 = (t38 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[1] *
-        TB_C(10.0) : TB_C(0.0));
+    const real_t t40 = (t38 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t41 = TB_C(0.0) < side[2];
-    const real_t t42 = t40 + (t41 ? structure[2] * TB_C(10.0) : TB_C(0.0));
+    const real_t t42 = t40 + (t41 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t43 = TB_C(0.0) < side[3];
-    const real_t t44 = t42 + (t43 ? structure[3] * TB_C(10.0) : TB_C(0.0));
+    const real_t t44 = t42 + (t43 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const bool t45 = TB_C(0.0) < side[4];
-    const real_t t46 = t44 + (t45 ? structure[4] * TB_C(10.0) : TB_C(0.0));
+    const real_t t46 = t44 + (t45 ? structure[4] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t47 = (wrench[0] - t46) * t37;
     const real_t t48 = (t0 ? structure[5] : TB_C(0.0)) - t18 * t24;
     const real_t t49 = TB_C(1.0) / t32;
-    const real_t t50 = (t38 ? structure[5] * TB_C(10.0) : TB_C(0.0)) + (t39 ? structure[6] *
-        TB_C(10.0) : TB_C(0.0));
-    const real_t t51 = t50 + (t41 ? structure[7] * TB_C(10.0) : TB_C(0.0));
-    const real_t t52 = t51 + (t43 ? structure[8] * TB_C(10.0) : TB_C(0.0));
-    const real_t t53 = t52 + (t45 ? structure[9] * TB_C(10.0) : TB_C(0.0));
+    const real_t t50 = (t38 ? structure[5] * TB_TENSION_MAX : TB_C(0.0)) + (t39 ? structure[6]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t51 = t50 + (t41 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t52 = t51 + (t43 ? structure[8] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t53 = t52 + (t45 ? structure[9] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t54 = t49 * ((wrench[1] - t53 + t47 * t48) * t49);
     const real_t t55 = t37 * (t47 + t48 * t54);
     const real_t t56 = structure[3] * t55 + structure[8] * t54;
-    const real_t t57 = TB_C(0.0) < t7 ? tb_max(-t56, t56 - TB_C(10.0)) : -TB_C(1.0);
+    const real_t t57 = TB_C(0.0) < t7 ? tb_max(-t56, t56 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t58 = structure[4] * t55 + structure[9] * t54;
-    const real_t t59 = TB_C(0.0) < t9 ? tb_max(-t58, t58 - TB_C(10.0)) : -TB_C(1.0);
+    const real_t t59 = TB_C(0.0) < t9 ? tb_max(-t58, t58 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t60 = structure[0] * t55 + structure[5] * t54;
-    const real_t t61 = TB_C(0.0) < t1 ? tb_max(-t60, t60 - TB_C(10.0)) : -TB_C(1.0);
+    const real_t t61 = TB_C(0.0) < t1 ? tb_max(-t60, t60 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t62 = structure[1] * t55 + structure[6] * t54;
-    const real_t t63 = TB_C(0.0) < t3 ? tb_max(-t62, t62 - TB_C(10.0)) : -TB_C(1.0);
+    const real_t t63 = TB_C(0.0) < t3 ? tb_max(-t62, t62 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t64 = structure[2] * t55 + structure[7] * t54;
-    const real_t t65 = TB_C(0.0) < t5 ? tb_max(-t64, t64 - TB_C(10.0)) : -TB_C(1.0);
+    const real_t t65 = TB_C(0.0) < t5 ? tb_max(-t64, t64 - TB_TENSION_MAX) : -TB_C(1.0);
     real_t t66, t67, t68, t69, t70;
     if (t36) {
         t66 = moving[0] == TB_C(3.0) ? TB_C(1.0) : TB_C(0.0);
@@ -893,7 +898,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const bool t103 = t102 < TB_C(5.0);
     real_t t104;
     if (t101) {
-        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_C(10.0), TB_C(0.0));
+        const real_t t105 = tb_max(t103 ? -t102 : t102 - TB_TENSION_MAX, TB_C(0.0));
         t104 = t105 * (TB_C(1.0) / t100);
     } else {
         t104 = TB_C(1e+30);
@@ -902,7 +907,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const real_t t107 = side[0] * (t87 * t106);
     real_t t108;
     if (t35 < t107) {
-        const real_t t109 = t60 - t87 * push[0] - (t38 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t109 = t60 - t87 * push[0] - (t38 ? TB_TENSION_MAX : TB_C(0.0));
         t108 = tb_max(side[0] * t109, TB_C(0.0)) / t107;
     } else {
         t108 = TB_C(1e+30);
@@ -910,7 +915,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const real_t t110 = side[1] * (t89 * t106);
     real_t t111;
     if (t35 < t110) {
-        const real_t t112 = t62 - t89 * push[0] - (t39 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t112 = t62 - t89 * push[0] - (t39 ? TB_TENSION_MAX : TB_C(0.0));
         t111 = tb_max(side[1] * t112, TB_C(0.0)) / t110;
     } else {
         t111 = TB_C(1e+30);
@@ -918,7 +923,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const real_t t113 = side[2] * (t92 * t106);
     real_t t114;
     if (t35 < t113) {
-        const real_t t115 = t64 - t92 * push[0] - (t41 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t115 = t64 - t92 * push[0] - (t41 ? TB_TENSION_MAX : TB_C(0.0));
         t114 = tb_max(side[2] * t115, TB_C(0.0)) / t113;
     } else {
         t114 = TB_C(1e+30);
@@ -926,7 +931,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const real_t t116 = side[3] * (t95 * t106);
     real_t t117;
     if (t35 < t116) {
-        const real_t t118 = t56 - t95 * push[0] - (t43 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t118 = t56 - t95 * push[0] - (t43 ? TB_TENSION_MAX : TB_C(0.0));
         t117 = tb_max(side[3] * t118, TB_C(0.0)) / t116;
     } else {
         t117 = TB_C(1e+30);
@@ -934,7 +939,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[10], const re
     const real_t t119 = side[4] * (t98 * t106);
     real_t t120;
     if (t35 < t119) {
-        const real_t t121 = t58 - t98 * push[0] - (t45 ? TB_C(10.0) : TB_C(0.0));
+        const real_t t121 = t58 - t98 * push[0] - (t45 ? TB_TENSION_MAX : TB_C(0.0));
         t120 = tb_max(side[4] * t121, TB_C(0.0)) / t119;
     } else {
         t120 = TB_C(1e+30);
@@ -993,14 +998,14 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[10], const 
     const bool t0 = side[0] == TB_C(0.0);
     const bool t1 = TB_C(0.0) < side[0];
     const bool t2 = TB_C(0.0) < side[1];
-    const real_t t3 = (t1 ? structure[0] * TB_C(10.0) : TB_C(0.0)) + (t2 ? TB_C(10.0) *
+    const real_t t3 = (t1 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t2 ? TB_TENSION_MAX *
         structure[1] : TB_C(0.0));
     const bool t4 = TB_C(0.0) < side[2];
-    const real_t t5 = t3 + (t4 ? TB_C(10.0) * structure[2] : TB_C(0.0));
+    const real_t t5 = t3 + (t4 ? TB_TENSION_MAX * structure[2] : TB_C(0.0));
     const bool t6 = TB_C(0.0) < side[3];
-    const real_t t7 = t5 + (t6 ? TB_C(10.0) * structure[3] : TB_C(0.0));
+    const real_t t7 = t5 + (t6 ? TB_TENSION_MAX * structure[3] : TB_C(0.0));
     const bool t8 = TB_C(0.0) < side[4];
-    const real_t t9 = t7 + (t8 ? TB_C(10.0) * structure[4] : TB_C(0.0));
+    const real_t t9 = t7 + (t8 ? TB_TENSION_MAX * structure[4] : TB_C(0.0));
     const real_t t10 = wrench[0] - t9;
     const real_t t11 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
     const bool t12 = TB_C(0.0) == side[1];
@@ -1024,11 +1029,11 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[10], const 
     const real_t t30 = t18 ? (t18 ? structure[4] * structure[9] : TB_C(0.0)) : TB_C(0.0);
     const real_t t31 = (t28 + t29 + t30) * (TB_C(1.0) / (t20 * (t20 + TB_ABS(t21))));
     const real_t t32 = (t0 ? structure[5] : TB_C(0.0)) - t25 * t31;
-    const real_t t33 = (t1 ? TB_C(10.0) * structure[5] : TB_C(0.0)) + (t2 ? TB_C(10.0) *
-        structure[6] : TB_C(0.0));
-    const real_t t34 = t33 + (t4 ? TB_C(10.0) * structure[7] : TB_C(0.0));
-    const real_t t35 = t34 + (t6 ? TB_C(10.0) * structure[8] : TB_C(0.0));
-    const real_t t36 = t35 + (t8 ? TB_C(10.0) * structure[9] : TB_C(0.0));
+    const real_t t33 = (t1 ? TB_TENSION_MAX * structure[5] : TB_C(0.0)) + (t2 ? TB_TENSION_MAX
+        * structure[6] : TB_C(0.0));
+    const real_t t34 = t33 + (t4 ? TB_TENSION_MAX * structure[7] : TB_C(0.0));
+    const real_t t35 = t34 + (t6 ? TB_TENSION_MAX * structure[8] : TB_C(0.0));
+    const real_t t36 = t35 + (t8 ? TB_TENSION_MAX * structure[9] : TB_C(0.0));
     const real_t t37 = wrench[1] - t36;
     const real_t t38 = structure[6] - structure[1] * t31;
     const real_t t39 = structure[7] - structure[2] * t31;
@@ -1061,20 +1066,20 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[10], const 
     const real_t t61 = t46 * (t46 * (t60 + t32 * t57));
     const real_t t62 = t23 * (t57 + t32 * t61);
     const real_t t63 = t49 + (structure[0] * t62 + structure[5] * t61);
-    const real_t t64 = t1 ? TB_C(10.0) : TB_C(0.0);
-    const real_t tension_0 = tb_min(tb_max(t0 ? t63 : t64, TB_C(0.0)), TB_C(10.0));
+    const real_t t64 = t1 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_0 = tb_min(tb_max(t0 ? t63 : t64, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t65 = t50 + (structure[1] * t62 + structure[6] * t61);
-    const real_t t66 = t2 ? TB_C(10.0) : TB_C(0.0);
-    const real_t tension_1 = tb_min(tb_max(t12 ? t65 : t66, TB_C(0.0)), TB_C(10.0));
+    const real_t t66 = t2 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_1 = tb_min(tb_max(t12 ? t65 : t66, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t67 = t52 + (structure[2] * t62 + structure[7] * t61);
-    const real_t t68 = t4 ? TB_C(10.0) : TB_C(0.0);
-    const real_t tension_2 = tb_min(tb_max(t14 ? t67 : t68, TB_C(0.0)), TB_C(10.0));
+    const real_t t68 = t4 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_2 = tb_min(tb_max(t14 ? t67 : t68, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t69 = t53 + (structure[3] * t62 + structure[8] * t61);
-    const real_t t70 = t6 ? TB_C(10.0) : TB_C(0.0);
-    const real_t tension_3 = tb_min(tb_max(t16 ? t69 : t70, TB_C(0.0)), TB_C(10.0));
+    const real_t t70 = t6 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_3 = tb_min(tb_max(t16 ? t69 : t70, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t71 = t55 + (structure[4] * t62 + structure[9] * t61);
-    const real_t t72 = t8 ? TB_C(10.0) : TB_C(0.0);
-    const real_t tension_4 = tb_min(tb_max(t18 ? t71 : t72, TB_C(0.0)), TB_C(10.0));
+    const real_t t72 = t8 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_4 = tb_min(tb_max(t18 ? t71 : t72, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t73 = structure[0] * tension_0 + structure[1] * tension_1;
     const real_t t74 = t73 + structure[2] * tension_2 + structure[3] * tension_3;
     const real_t delivered_0 = t74 + structure[4] * tension_4;
@@ -1085,9 +1090,9 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[10], const 
     const real_t t78 = tb_max(tb_max(t77, side[2] * (t68 - t67)), side[3] * (t70 - t69));
     const real_t t79 = tb_max(TB_C(0.0), tb_max(t78, side[4] * (t72 - t71)));
     const real_t t80 = tb_min(TB_C(1.0), tb_min(TB_ABS(t22), TB_ABS(t45)));
-    const real_t t81 = tb_max(TB_C(10.0), tb_max(TB_ABS(t48), TB_ABS(t47)));
-    const real_t t82 = tb_max(TB_C(10.0) * (t79 * t80) * (TB_C(1.0) / t81), TB_ABS(delivered_0
-        - wrench[0]));
+    const real_t t81 = tb_max(TB_TENSION_MAX, tb_max(TB_ABS(t48), TB_ABS(t47)));
+    const real_t t82 = tb_max(TB_TENSION_MAX * (t79 * t80) * (TB_C(1.0) / t81),
+        TB_ABS(delivered_0 - wrench[0]));
     const real_t kkt_residual_0 = tb_max(t82, TB_ABS(delivered_1 - wrench[1]));
     const real_t t83 = TB_C(1600.0) * TB_EPSILON / tb_min(TB_C(1.0), pivot[0]);
     const bool t84 = !(kkt_residual_0 <= tb_min(t83, TB_C(0.01)));
@@ -1541,11 +1546,11 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[10], 
     real_t tension_0, tension_1, tension_2, tension_3, tension_4, delivered_0, delivered_1,
         kkt_residual_0;
     if (t93) {
-        const real_t t94 = tb_min(t81, TB_C(10.0));
-        const real_t t95 = tb_min(t82, TB_C(10.0));
-        const real_t t96 = tb_min(t83, TB_C(10.0));
-        const real_t t97 = tb_min(t85, TB_C(10.0));
-        const real_t t98 = tb_min(t86, TB_C(10.0));
+        const real_t t94 = tb_min(t81, TB_TENSION_MAX);
+        const real_t t95 = tb_min(t82, TB_TENSION_MAX);
+        const real_t t96 = tb_min(t83, TB_TENSION_MAX);
+        const real_t t97 = tb_min(t85, TB_TENSION_MAX);
+        const real_t t98 = tb_min(t86, TB_TENSION_MAX);
         const real_t t99 = structure[0] * t94 + structure[1] * t95 + structure[2] * t96;
         const real_t t100 = structure[5] * t94 + structure[6] * t95 + structure[7] * t96;
         tension_0 = t94;
@@ -1567,8 +1572,8 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[10], 
         kkt_residual_0 = TB_C(0.0);
     }
     const bool t101 = !t93;
-    const bool t102 = TB_C(10.0) < t81 || TB_C(10.0) < t82 || TB_C(10.0) < t83;
-    const bool t103 = t102 || TB_C(10.0) < t85 || TB_C(10.0) < t86;
+    const bool t102 = TB_TENSION_MAX < t81 || TB_TENSION_MAX < t82 || TB_TENSION_MAX < t83;
+    const bool t103 = t102 || TB_TENSION_MAX < t85 || TB_TENSION_MAX < t86;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
 {
@@ -13,10 +14,10 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
         torque[3] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
-    const real_t torque_3 = TB_C(0.005) * tension[3];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
+    const real_t torque_3 = TB_DRUM_RADIUS * tension[3];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;

@@ -1,19 +1,20 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
 {
     (void)rails;
     points[0] = TB_C(0.0);
     points[1] = TB_C(0.0);
-    points[2] = TB_C(1.0);
+    points[2] = TB_FRAME;
     points[3] = TB_C(0.0);
-    points[4] = TB_C(1.0);
-    points[5] = TB_C(1.0);
+    points[4] = TB_FRAME;
+    points[5] = TB_FRAME;
     points[6] = TB_C(0.0);
-    points[7] = TB_C(1.0);
+    points[7] = TB_FRAME;
     return TB_OK;
 }
 
@@ -33,8 +34,8 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     }
     const real_t vectors_0 = -pose[0];
     const real_t vectors_1 = -pose[1];
-    const real_t vectors_2 = TB_C(1.0) - pose[0];
-    const real_t vectors_5 = TB_C(1.0) - pose[1];
+    const real_t vectors_2 = TB_FRAME - pose[0];
+    const real_t vectors_5 = TB_FRAME - pose[1];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
     vectors[2] = vectors_2;
@@ -65,10 +66,10 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
     const real_t length_0 = TB_SQRT(t0 + t1);
-    const real_t t2 = TB_C(1.0) - pose[0];
+    const real_t t2 = TB_FRAME - pose[0];
     const real_t t3 = t2 * t2;
     const real_t length_1 = TB_SQRT(t1 + t3);
-    const real_t t4 = TB_C(1.0) - pose[1];
+    const real_t t4 = TB_FRAME - pose[1];
     const real_t t5 = t4 * t4;
     const real_t length_2 = TB_SQRT(t3 + t5);
     const real_t length_3 = TB_SQRT(t0 + t5);
@@ -111,12 +112,12 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t structure_0 = -(pose[0] * t2);
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME - pose[0];
     const real_t t4 = t3 * t3;
     const real_t length_1 = TB_SQRT(t1 + t4);
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t structure_1 = t3 * t5;
-    const real_t t6 = TB_C(1.0) - pose[1];
+    const real_t t6 = TB_FRAME - pose[1];
     const real_t t7 = t6 * t6;
     const real_t length_2 = TB_SQRT(t4 + t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -172,13 +173,13 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t jacobian_0 = pose[0] * t2;
     const real_t jacobian_1 = pose[1] * t2;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME - pose[0];
     const real_t t4 = t3 * t3;
     const real_t length_1 = TB_SQRT(t1 + t4);
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t3 * t5);
     const real_t jacobian_3 = pose[1] * t5;
-    const real_t t6 = TB_C(1.0) - pose[1];
+    const real_t t6 = TB_FRAME - pose[1];
     const real_t t7 = t6 * t6;
     const real_t length_2 = TB_SQRT(t4 + t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -223,7 +224,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
         return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
-    const real_t t0 = TB_C(1.0) - pose[0];
+    const real_t t0 = TB_FRAME - pose[0];
     const real_t t1 = t0 * t0;
     const real_t t2 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -234,7 +235,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t length_0 = TB_SQRT(t2 + t5);
     const real_t t6 = TB_C(1.0) / length_0;
     const real_t t7 = pose[0] * t6;
-    const real_t t8 = TB_C(1.0) - pose[1];
+    const real_t t8 = TB_FRAME - pose[1];
     const real_t t9 = t8 * t8;
     const real_t length_2 = TB_SQRT(t1 + t9);
     const real_t t10 = TB_C(1.0) / length_2;
@@ -300,7 +301,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t9 = TB_C(0.5) * (t5 + TB_C(0.5) * t6 + t7 + -TB_C(0.5) * t8);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = TB_C(0.5) + t9;
-    const real_t t10 = TB_C(1.0) - start_0;
+    const real_t t10 = TB_FRAME - start_0;
     const real_t t11 = t10 * t10;
     const real_t t12 = TB_C(0.5) * (t7 + (t5 + -TB_C(0.5) * t6) + TB_C(0.5) * t8);
     const real_t start_1 = TB_C(0.5) + t12;
@@ -315,7 +316,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t18 = TB_C(1.0) / distance_0;
     const real_t t19 = start_0 * t18;
     const real_t t20 = distance_0 - lengths[0];
-    const real_t t21 = TB_C(1.0) - start_1;
+    const real_t t21 = TB_FRAME - start_1;
     const real_t t22 = t21 * t21;
     const real_t distance_2 = TB_SQRT(t11 + t22);
     const real_t t23 = TB_C(1.0) / distance_2;
@@ -343,11 +344,11 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t42 = TB_SQRT(t40 + t41);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t42;
-    const real_t t43 = TB_C(1.0) - pose_0;
+    const real_t t43 = TB_FRAME - pose_0;
     const real_t t44 = t43 * t43;
     const real_t t45 = TB_SQRT(t41 + t44);
     const real_t misfit_1 = lengths[1] - t45;
-    const real_t t46 = TB_C(1.0) - pose_1;
+    const real_t t46 = TB_FRAME - pose_1;
     const real_t t47 = t46 * t46;
     const real_t t48 = TB_SQRT(t44 + t47);
     const real_t misfit_2 = lengths[2] - t48;
@@ -416,7 +417,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t9 = TB_C(0.5) * (t5 + TB_C(0.5) * t6 + t7 + -TB_C(0.5) * t8);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = TB_C(0.5) + t9;
-    const real_t t10 = TB_C(1.0) - start_0;
+    const real_t t10 = TB_FRAME - start_0;
     const real_t t11 = t10 * t10;
     const real_t t12 = TB_C(0.5) * (t7 + (t5 + -TB_C(0.5) * t6) + TB_C(0.5) * t8);
     const real_t start_1 = TB_C(0.5) + t12;
@@ -431,7 +432,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t18 = TB_C(1.0) / distance_0;
     const real_t t19 = start_0 * t18;
     const real_t t20 = distance_0 - lengths[0];
-    const real_t t21 = TB_C(1.0) - start_1;
+    const real_t t21 = TB_FRAME - start_1;
     const real_t t22 = t21 * t21;
     const real_t distance_2 = TB_SQRT(t11 + t22);
     const real_t t23 = TB_C(1.0) / distance_2;
@@ -459,11 +460,11 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t42 = TB_SQRT(t40 + t41);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t42;
-    const real_t t43 = TB_C(1.0) - pose_0;
+    const real_t t43 = TB_FRAME - pose_0;
     const real_t t44 = t43 * t43;
     const real_t t45 = TB_SQRT(t41 + t44);
     const real_t misfit_1 = lengths[1] - t45;
-    const real_t t46 = TB_C(1.0) - pose_1;
+    const real_t t46 = TB_FRAME - pose_1;
     const real_t t47 = t46 * t46;
     const real_t t48 = TB_SQRT(t44 + t47);
     const real_t misfit_2 = lengths[2] - t48;

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -26,5 +26,7 @@
 
 #define TB_HAS_OBSERVER 0
 #define TB_HAND_FORCE_MEASURED 0
+
+#define TB_FRAME TB_C(1.0) /* m, side of the frame */
 
 #endif

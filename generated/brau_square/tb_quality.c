@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 0 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[4])
@@ -25,7 +26,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -33,7 +34,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t8 = pose[1] * t2;
     const real_t t9 = t4 * t6;
     const real_t t10 = TB_ABS(t3 * t7 + t8 * t9);
-    const real_t t11 = TB_C(1.0) - pose[1];
+    const real_t t11 = TB_FRAME - pose[1];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -69,7 +70,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t42 = TB_ABS(t41);
     const real_t t43 = TB_C(1.0) / tb_min(t33, t42);
     const real_t t44 = TB_C(30.0) * TB_EPSILON * t43;
-    const real_t t45 = t44 + TB_C(10.0);
+    const real_t t45 = t44 + TB_TENSION_MAX;
     const real_t t46 = tb_max(-t44, -t45);
     const bool t47 = TB_C(0.0) < t46;
     const real_t t48 = TB_C(1.0) / (t40 * (t40 + TB_ABS(t37)));
@@ -135,7 +136,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t94 = t61 * t69;
     real_t t95, t96, t97, t98, t99;
     if (t91) {
-        const real_t t100 = tb_min(tb_max(t73, TB_C(0.0)), TB_C(10.0));
+        const real_t t100 = tb_min(tb_max(t73, TB_C(0.0)), TB_TENSION_MAX);
         const real_t t101 = TB_C(1.0) / tb_max(t63 * t63 + t61 * t61, TB_EPSILON);
         const real_t t102 = t100 * t101;
         const bool t103 = TB_ABS(t64) <= t67;
@@ -206,7 +207,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     real_t t132, t133, t134, t135, t136;
     if (t131) {
         const real_t t137 = t66 * t68 - t65 * t69;
-        const real_t t138 = tb_min(tb_max(t95, TB_C(0.0)), TB_C(10.0));
+        const real_t t138 = tb_min(tb_max(t95, TB_C(0.0)), TB_TENSION_MAX);
         const real_t t139 = TB_C(1.0) / tb_max(t69 * t69 + t68 * t68, TB_EPSILON);
         const real_t t140 = t138 * t139;
         const real_t t141 = t137 * t140;
@@ -293,13 +294,13 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
         t135 = t95;
         t136 = t99;
     }
-    const real_t t180 = tb_min(tb_max(t132, TB_C(0.0)), TB_C(10.0));
+    const real_t t180 = tb_min(tb_max(t132, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_0 = t30 ? t180 : TB_C(0.0);
-    const real_t t181 = tb_min(tb_max(t133, TB_C(0.0)), TB_C(10.0));
+    const real_t t181 = tb_min(tb_max(t133, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_1 = t30 ? t181 : TB_C(0.0);
-    const real_t t182 = tb_min(tb_max(t134, TB_C(0.0)), TB_C(10.0));
+    const real_t t182 = tb_min(tb_max(t134, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_2 = t30 ? t182 : TB_C(0.0);
-    const real_t t183 = tb_min(tb_max(t135, TB_C(0.0)), TB_C(10.0));
+    const real_t t183 = tb_min(tb_max(t135, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_3 = t30 ? t183 : TB_C(0.0);
     const bool t184 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t185 = t184 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
@@ -344,7 +345,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -352,7 +353,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t8 = pose[1] * t2;
     const real_t t9 = t4 * t6;
     const real_t t10 = TB_ABS(t3 * t7 + t8 * t9);
-    const real_t t11 = TB_C(1.0) - pose[1];
+    const real_t t11 = TB_FRAME - pose[1];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -387,7 +388,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t41 = TB_COPYSIGN(t40, -t37);
     const real_t t42 = TB_ABS(t41);
     const real_t t43 = TB_C(30.0) * TB_EPSILON / tb_min(t33, t42);
-    const real_t t44 = t43 + TB_C(10.0);
+    const real_t t44 = t43 + TB_TENSION_MAX;
     const bool t45 = TB_C(0.0) < tb_max(-t43, -t44);
     const real_t t46 = TB_C(1.0) / (t40 * (t40 + TB_ABS(t37)));
     const real_t t47 = t38 * t46;
@@ -442,7 +443,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t83 = t59 * t67;
     real_t t84, t85, t86, t87;
     if (t80) {
-        const real_t t88 = tb_min(tb_max(t69, TB_C(0.0)), TB_C(10.0));
+        const real_t t88 = tb_min(tb_max(t69, TB_C(0.0)), TB_TENSION_MAX);
         const real_t t89 = TB_C(1.0) / tb_max(t61 * t61 + t59 * t59, TB_EPSILON);
         const real_t t90 = t88 * t89;
         const bool t91 = TB_ABS(t62) <= t65;
@@ -486,7 +487,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const bool t107 = TB_C(0.0) < tb_max(-(t43 + t84), t84 - t44);
     real_t t108, t109, t110, t111;
     if (t107) {
-        const real_t t112 = tb_min(tb_max(t84, TB_C(0.0)), TB_C(10.0));
+        const real_t t112 = tb_min(tb_max(t84, TB_C(0.0)), TB_TENSION_MAX);
         const real_t t113 = TB_C(1.0) / tb_max(t67 * t67 + t66 * t66, TB_EPSILON);
         const real_t t114 = t112 * t113;
         const real_t t115 = (t64 * t66 - t63 * t67) * t114;
@@ -543,10 +544,10 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
         t111 = t84;
     }
     /* T0 */
-    const real_t rest_0 = tb_min(tb_max(t108, TB_C(0.0)), TB_C(10.0));
-    const real_t rest_1 = tb_min(tb_max(t109, TB_C(0.0)), TB_C(10.0));
-    const real_t rest_2 = tb_min(tb_max(t110, TB_C(0.0)), TB_C(10.0));
-    const real_t rest_3 = tb_min(tb_max(t111, TB_C(0.0)), TB_C(10.0));
+    const real_t rest_0 = tb_min(tb_max(t108, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t rest_1 = tb_min(tb_max(t109, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t rest_2 = tb_min(tb_max(t110, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t rest_3 = tb_min(tb_max(t111, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t140 = tb_max(tb_max(tb_max(rest_0, rest_1), rest_2), rest_3);
     real_t factor_0;
     if (t30) {
@@ -588,7 +589,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -596,7 +597,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t8 = pose[1] * t2;
     const real_t t9 = t4 * t6;
     const real_t t10 = TB_ABS(t3 * t7 + t8 * t9);
-    const real_t t11 = TB_C(1.0) - pose[1];
+    const real_t t11 = TB_FRAME - pose[1];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -653,7 +654,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -662,7 +663,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t9 = t4 * t6;
     const real_t t10 = t3 * t7 + t8 * t9;
     const real_t t11 = TB_ABS(t10);
-    const real_t t12 = TB_C(1.0) - pose[1];
+    const real_t t12 = TB_FRAME - pose[1];
     const real_t t13 = t12 * t12;
     const real_t length_2 = TB_SQRT(t5 + t13);
     const real_t t14 = TB_C(1.0) / length_2;
@@ -728,7 +729,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(1.0) - pose[0];
+    const real_t t4 = TB_FRAME - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -737,7 +738,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t9 = t4 * t6;
     const real_t t10 = t3 * t7 + t8 * t9;
     const real_t t11 = TB_ABS(t10);
-    const real_t t12 = TB_C(1.0) - pose[1];
+    const real_t t12 = TB_FRAME - pose[1];
     const real_t t13 = t12 * t12;
     const real_t length_2 = TB_SQRT(t5 + t13);
     const real_t t14 = TB_C(1.0) / length_2;
@@ -793,7 +794,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t61 = TB_C(0.0) < t60;
         const bool t62 = (t53 || (TB_C(0.0) <= t10 && t54)) && !((t55 && t57) || (t59 && t61));
         const real_t t63 = TB_C(30.0) * TB_EPSILON / tb_min(t43, t52);
-        const real_t t64 = TB_C(10.0) + t63;
+        const real_t t64 = TB_TENSION_MAX + t63;
         const bool t65 = TB_C(0.0) < tb_max(-t63, -t64);
         const real_t t66 = TB_C(1.0) / (t50 * (t50 + TB_ABS(t47)));
         const real_t t67 = t48 * t66;
@@ -848,7 +849,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t103 = t79 * t87;
         real_t t104, t105, t106, t107;
         if (t100) {
-            const real_t t108 = tb_min(tb_max(t89, TB_C(0.0)), TB_C(10.0));
+            const real_t t108 = tb_min(tb_max(t89, TB_C(0.0)), TB_TENSION_MAX);
             const real_t t109 = TB_C(1.0) / tb_max(t81 * t81 + t79 * t79, TB_EPSILON);
             const real_t t110 = t108 * t109;
             const bool t111 = TB_ABS(t82) <= t85;
@@ -893,7 +894,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t127 = TB_C(0.0) < tb_max(-(t63 + t104), t104 - t64);
         real_t t128, t129, t130, t131;
         if (t127) {
-            const real_t t132 = tb_min(tb_max(t104, TB_C(0.0)), TB_C(10.0));
+            const real_t t132 = tb_min(tb_max(t104, TB_C(0.0)), TB_TENSION_MAX);
             const real_t t133 = TB_C(1.0) / tb_max(t87 * t87 + t86 * t86, TB_EPSILON);
             const real_t t134 = t132 * t133;
             const real_t t135 = (t84 * t86 - t83 * t87) * t134;
@@ -950,8 +951,10 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
             t131 = t104;
         }
         /* t_i = T_max - T0_i */
-        const real_t margin_0 = TB_C(10.0) - tb_min(tb_max(t128, TB_C(0.0)), TB_C(10.0));
-        const real_t margin_1 = TB_C(10.0) - tb_min(tb_max(t129, TB_C(0.0)), TB_C(10.0));
+        const real_t margin_0 = TB_TENSION_MAX - tb_min(tb_max(t128, TB_C(0.0)),
+            TB_TENSION_MAX);
+        const real_t margin_1 = TB_TENSION_MAX - tb_min(tb_max(t129, TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t160 = tb_min(margin_0, margin_1);
         const bool t161 = -(t3 * t15 + t8 * t17) < TB_C(0.0);
         const bool t162 = TB_C(0.0) < t29;
@@ -959,7 +962,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t164 = TB_C(0.0) < t163;
         const bool t165 = (t55 || (TB_C(0.0) <= t19 && t161)) && !((t53 && t162) || (t59 &&
             t164));
-        const real_t margin_2 = TB_C(10.0) - tb_min(tb_max(t130, TB_C(0.0)), TB_C(10.0));
+        const real_t margin_2 = TB_TENSION_MAX - tb_min(tb_max(t130, TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t166 = tb_min(margin_0, margin_2);
         const real_t t167 = tb_min(t62 ? (t54 ? t10 * t160 : t160) : TB_C(1e+30), t165 ? (t161
             ? t19 * t166 : t166) : TB_C(1e+30));
@@ -968,7 +972,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t170 = TB_C(0.0) < t36;
         const bool t171 = (t59 || (TB_C(0.0) <= t58 && t168)) && !((t53 && t169) || (t55 &&
             t170));
-        const real_t margin_3 = TB_C(10.0) - tb_min(tb_max(t131, TB_C(0.0)), TB_C(10.0));
+        const real_t margin_3 = TB_TENSION_MAX - tb_min(tb_max(t131, TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t172 = tb_min(margin_0, margin_3);
         const real_t t173 = t171 ? (t168 ? -(t24 * t172) : t172) : TB_C(1e+30);
         const real_t t174 = -t10;

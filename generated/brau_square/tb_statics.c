@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
 {
@@ -44,11 +45,11 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
     const real_t t2 = TB_SQRT(t0 + t1);
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME - pose[0];
     const real_t t4 = t3 * t3;
     const real_t t5 = t0 + (t4 + (t0 + t4));
     const real_t t6 = TB_C(1.0) / t5;
-    const real_t t7 = TB_C(1.0) - pose[1];
+    const real_t t7 = TB_FRAME - pose[1];
     const real_t t8 = pose[0] * pose[1] - pose[1] * t3 + t3 * t7 - pose[0] * t7;
     const real_t t9 = t6 * t8;
     const real_t t10 = t7 * t7;

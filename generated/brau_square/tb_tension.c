@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_square.toml --out generated/brau_square
+/* Regenerate: turnbuckle generate machines/brau_square.toml --out <this folder>
  * Machine 166f8b7fcb339437, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
 static tb_status tb_refuse_least_norm_tension_quick(tb_status status, real_t tension[4],
@@ -48,7 +49,7 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t7 = TB_C(1.0) / determinant;
     /* the least-norm tensions that exert the wrench */
     const real_t start_2 = t0 * t7;
-    const real_t t8 = TB_C(10.0) - start_2;
+    const real_t t8 = TB_TENSION_MAX - start_2;
     const real_t t9 = tb_min(tb_max(TB_C(0.0), -start_2), t8);
     const real_t t10 = t1 + (t4 + t5);
     const real_t t11 = TB_C(1.0) / tb_max(t10, TB_EPSILON);
@@ -56,21 +57,21 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t height_2 = structure[2] * wrench[1] - structure[6] * wrench[0];
     const real_t t13 = height_0 * cross_03 + height_1 * cross_13 + cross_23 * height_2;
     const real_t start_3 = t7 * t13;
-    const real_t t14 = TB_C(10.0) - start_3;
+    const real_t t14 = TB_TENSION_MAX - start_3;
     const real_t t15 = tb_min(tb_max(TB_C(0.0), -start_3), t14);
     const real_t t16 = t1 + (t3 + t6);
     const real_t t17 = TB_C(1.0) / tb_max(t16, TB_EPSILON);
     const real_t t18 = t15 * (t15 * t17);
     const real_t t19 = height_1 * cross_01 + cross_02 * height_2 + height_3 * cross_03;
     const real_t t20 = t7 * t19;
-    const real_t t21 = TB_C(10.0) + t20;
+    const real_t t21 = TB_TENSION_MAX + t20;
     const real_t t22 = tb_min(tb_max(TB_C(0.0), t20), t21);
     const real_t t23 = t6 + (t2 + t4);
     const real_t t24 = TB_C(1.0) / tb_max(t23, TB_EPSILON);
     const real_t t25 = t22 * (t22 * t24);
     const real_t t26 = height_0 * cross_01 - cross_12 * height_2 - height_3 * cross_13;
     const real_t start_1 = t7 * t26;
-    const real_t t27 = TB_C(10.0) - start_1;
+    const real_t t27 = TB_TENSION_MAX - start_1;
     const real_t t28 = tb_min(tb_max(TB_C(0.0), -start_1), t27);
     const real_t t29 = t3 + (t2 + t5);
     const real_t t30 = TB_C(1.0) / tb_max(t29, TB_EPSILON);
@@ -288,10 +289,10 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         t59 = t109;
         t60 = t110;
     }
-    const real_t tension_0 = tb_min(tb_max(t57 - t20, TB_C(0.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t58, TB_C(0.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t59, TB_C(0.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t60, TB_C(0.0)), TB_C(10.0));
+    const real_t tension_0 = tb_min(tb_max(t57 - t20, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_1 = tb_min(tb_max(start_1 + t58, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_2 = tb_min(tb_max(start_2 + t59, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_3 = tb_min(tb_max(start_3 + t60, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t147 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t147 + structure[2] * tension_2 + structure[3] * tension_3;
@@ -397,12 +398,12 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t47 = t42 + structure[1] * t45;
     const real_t t48 = t38 * t39 + t46 * t47;
     const real_t t49 = t14 + t4 * t22;
-    const real_t t50 = t49 + TB_C(10.0);
+    const real_t t50 = t49 + TB_TENSION_MAX;
     const real_t t51 = tb_min(tb_max(TB_C(0.0), t49), t50);
     const real_t t52 = t27 < TB_ABS(t51) ? t51 : TB_C(0.0);
     const real_t t53 = t52 / tb_max(t38 * t38 + t46 * t46, TB_EPSILON);
     const real_t t54 = t48 * t53;
-    const real_t t55 = TB_C(10.0) - start_1;
+    const real_t t55 = TB_TENSION_MAX - start_1;
     const real_t t56 = t27 + t55;
     const real_t t57 = tb_max(-(t31 + t54), t54 - t56);
     const bool t58 = TB_C(0.0) < t57;
@@ -463,7 +464,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         t77 = t54;
         t78 = TB_C(0.0);
     }
-    const real_t t96 = TB_C(10.0) - start_2;
+    const real_t t96 = TB_TENSION_MAX - start_2;
     const real_t t97 = t27 + t96;
     const real_t t98 = tb_max(-(t29 + t74), t74 - t97);
     const bool t99 = TB_C(0.0) < t98;
@@ -546,7 +547,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         t106 = t74;
         t107 = t78;
     }
-    const real_t t136 = TB_C(10.0) - start_3;
+    const real_t t136 = TB_TENSION_MAX - start_3;
     const real_t t137 = tb_max(-(start_3 + t27 + t103), t103 - (t27 + t136));
     const bool t138 = TB_C(0.0) < t137;
     real_t t139, t140, t141, t142, t143;
@@ -637,10 +638,10 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         t142 = t103;
         t143 = t107;
     }
-    const real_t tension_0 = tb_min(tb_max(t139 - t49, TB_C(0.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t140, TB_C(0.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t141, TB_C(0.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t142, TB_C(0.0)), TB_C(10.0));
+    const real_t tension_0 = tb_min(tb_max(t139 - t49, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_1 = tb_min(tb_max(start_1 + t140, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_2 = tb_min(tb_max(start_2 + t141, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_3 = tb_min(tb_max(start_3 + t142, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t185 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t185 + structure[2] * tension_2 + structure[3] * tension_3;
@@ -815,14 +816,14 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const bool t93 = (t89 && !t91) || (t92 && TB_C(0.0) < t17 - t16);
             const bool t94 = !t87;
             const bool t95 = (t87 && t93) || (t94 && !t93);
-            const real_t t96 = structure[0] * TB_C(10.0);
+            const real_t t96 = structure[0] * TB_TENSION_MAX;
             const bool t97 = t29 <= t88;
             const real_t t98 = structure[1] * structure[3] + structure[5] * structure[7];
             const bool t99 = TB_C(0.0) < t98;
             const bool t100 = !t97;
             const bool t101 = (t97 && !t99) || (t100 && TB_C(0.0) < t27 - t26);
             const bool t102 = (t87 && t101) || (t94 && !t101);
-            const real_t t103 = structure[1] * TB_C(10.0);
+            const real_t t103 = structure[1] * TB_TENSION_MAX;
             const real_t t104 = (t95 ? t96 : TB_C(0.0)) + (t102 ? t103 : TB_C(0.0));
             const bool t105 = t35 <= t88;
             const real_t t106 = structure[2] * structure[3] + structure[6] * structure[7];
@@ -830,18 +831,18 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const bool t108 = !t105;
             const bool t109 = (t105 && !t107) || (t108 && TB_C(0.0) < t33 - t32);
             const bool t110 = (t87 && t109) || (t94 && !t109);
-            const real_t t111 = structure[2] * TB_C(10.0);
+            const real_t t111 = structure[2] * TB_TENSION_MAX;
             const real_t t112 = t104 + (t110 ? t111 : TB_C(0.0));
-            const real_t t113 = structure[4] * TB_C(10.0);
-            const real_t t114 = structure[5] * TB_C(10.0);
+            const real_t t113 = structure[4] * TB_TENSION_MAX;
+            const real_t t114 = structure[5] * TB_TENSION_MAX;
             const real_t t115 = (t95 ? t113 : TB_C(0.0)) + (t102 ? t114 : TB_C(0.0));
-            const real_t t116 = structure[6] * TB_C(10.0);
+            const real_t t116 = structure[6] * TB_TENSION_MAX;
             const real_t t117 = t115 + (t110 ? t116 : TB_C(0.0));
             const real_t t118 = structure[3] * (wrench[0] - t112) + structure[7] * (wrench[1] -
                 t117);
             const real_t t119 = structure[3] * structure[3] + structure[7] * structure[7];
             const real_t t120 = tb_min(tb_max(t118 * (TB_C(1.0) / t119), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t121 = t112 + structure[3] * t120;
             const real_t t122 = t121 - wrench[0];
             const real_t t123 = t117 + structure[7] * t120;
@@ -864,16 +865,16 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const real_t t140 = (t133 ? t96 : TB_C(0.0)) + (t139 ? t103 : TB_C(0.0));
             const bool t141 = (t105 && t107) || (t108 && TB_C(0.0) < t34);
             const bool t142 = (t126 && t141) || (t132 && !t141);
-            const real_t t143 = structure[3] * TB_C(10.0);
+            const real_t t143 = structure[3] * TB_TENSION_MAX;
             const real_t t144 = t140 + (t142 ? t143 : TB_C(0.0));
             const real_t t145 = (t133 ? t113 : TB_C(0.0)) + (t139 ? t114 : TB_C(0.0));
-            const real_t t146 = structure[7] * TB_C(10.0);
+            const real_t t146 = structure[7] * TB_TENSION_MAX;
             const real_t t147 = t145 + (t142 ? t146 : TB_C(0.0));
             const real_t t148 = structure[2] * (wrench[0] - t144) + structure[6] * (wrench[1] -
                 t147);
             const real_t t149 = structure[2] * structure[2] + structure[6] * structure[6];
             const real_t t150 = tb_min(tb_max(t148 * (TB_C(1.0) / t149), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t151 = t144 + structure[2] * t150;
             const real_t t152 = t151 - wrench[0];
             const real_t t153 = t147 + structure[6] * t150;
@@ -899,7 +900,7 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
                 t171);
             const real_t t173 = structure[1] * structure[1] + structure[5] * structure[5];
             const real_t t174 = tb_min(tb_max(t172 * (TB_C(1.0) / t173), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t175 = t169 + structure[1] * t174;
             const real_t t176 = t175 - wrench[0];
             const real_t t177 = t171 + structure[5] * t174;
@@ -921,7 +922,7 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
                 t191);
             const real_t t193 = structure[0] * structure[0] + structure[4] * structure[4];
             const real_t t194 = tb_min(tb_max(t192 * (TB_C(1.0) / t193), TB_C(0.0)),
-                TB_C(10.0));
+                TB_TENSION_MAX);
             const real_t t195 = t189 + structure[0] * t194;
             const real_t t196 = t195 - wrench[0];
             const real_t t197 = t191 + structure[4] * t194;
@@ -1043,14 +1044,14 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const bool t47 = (t43 && !t45) || (t46 && TB_C(0.0) < t17 - t16);
         const bool t48 = !t41;
         const bool t49 = (t41 && t47) || (t48 && !t47);
-        const real_t t50 = structure[0] * TB_C(10.0);
+        const real_t t50 = structure[0] * TB_TENSION_MAX;
         const bool t51 = t29 <= t42;
         const real_t t52 = structure[1] * structure[3] + structure[5] * structure[7];
         const bool t53 = TB_C(0.0) < t52;
         const bool t54 = !t51;
         const bool t55 = (t51 && !t53) || (t54 && TB_C(0.0) < t27 - t26);
         const bool t56 = (t41 && t55) || (t48 && !t55);
-        const real_t t57 = structure[1] * TB_C(10.0);
+        const real_t t57 = structure[1] * TB_TENSION_MAX;
         const real_t t58 = (t49 ? t50 : TB_C(0.0)) + (t56 ? t57 : TB_C(0.0));
         const bool t59 = t35 <= t42;
         const real_t t60 = structure[2] * structure[3] + structure[6] * structure[7];
@@ -1058,16 +1059,16 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const bool t62 = !t59;
         const bool t63 = (t59 && !t61) || (t62 && TB_C(0.0) < t33 - t32);
         const bool t64 = (t41 && t63) || (t48 && !t63);
-        const real_t t65 = structure[2] * TB_C(10.0);
+        const real_t t65 = structure[2] * TB_TENSION_MAX;
         const real_t t66 = t58 + (t64 ? t65 : TB_C(0.0));
-        const real_t t67 = structure[4] * TB_C(10.0);
-        const real_t t68 = structure[5] * TB_C(10.0);
+        const real_t t67 = structure[4] * TB_TENSION_MAX;
+        const real_t t68 = structure[5] * TB_TENSION_MAX;
         const real_t t69 = (t49 ? t67 : TB_C(0.0)) + (t56 ? t68 : TB_C(0.0));
-        const real_t t70 = structure[6] * TB_C(10.0);
+        const real_t t70 = structure[6] * TB_TENSION_MAX;
         const real_t t71 = t69 + (t64 ? t70 : TB_C(0.0));
         const real_t t72 = structure[3] * (wrench[0] - t66) + structure[7] * (wrench[1] - t71);
         const real_t t73 = structure[3] * structure[3] + structure[7] * structure[7];
-        const real_t t74 = tb_min(tb_max(t72 * (TB_C(1.0) / t73), TB_C(0.0)), TB_C(10.0));
+        const real_t t74 = tb_min(tb_max(t72 * (TB_C(1.0) / t73), TB_C(0.0)), TB_TENSION_MAX);
         const real_t t75 = t66 + structure[3] * t74;
         const real_t t76 = t75 - wrench[0];
         const real_t t77 = t71 + structure[7] * t74;
@@ -1090,15 +1091,16 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t94 = (t87 ? t50 : TB_C(0.0)) + (t93 ? t57 : TB_C(0.0));
         const bool t95 = (t59 && t61) || (t62 && TB_C(0.0) < t34);
         const bool t96 = (t80 && t95) || (t86 && !t95);
-        const real_t t97 = structure[3] * TB_C(10.0);
+        const real_t t97 = structure[3] * TB_TENSION_MAX;
         const real_t t98 = t94 + (t96 ? t97 : TB_C(0.0));
         const real_t t99 = (t87 ? t67 : TB_C(0.0)) + (t93 ? t68 : TB_C(0.0));
-        const real_t t100 = structure[7] * TB_C(10.0);
+        const real_t t100 = structure[7] * TB_TENSION_MAX;
         const real_t t101 = t99 + (t96 ? t100 : TB_C(0.0));
         const real_t t102 = structure[2] * (wrench[0] - t98) + structure[6] * (wrench[1] -
             t101);
         const real_t t103 = structure[2] * structure[2] + structure[6] * structure[6];
-        const real_t t104 = tb_min(tb_max(t102 * (TB_C(1.0) / t103), TB_C(0.0)), TB_C(10.0));
+        const real_t t104 = tb_min(tb_max(t102 * (TB_C(1.0) / t103), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t105 = t98 + structure[2] * t104;
         const real_t t106 = t105 - wrench[0];
         const real_t t107 = t101 + structure[6] * t104;
@@ -1123,7 +1125,8 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t126 = structure[1] * (wrench[0] - t123) + structure[5] * (wrench[1] -
             t125);
         const real_t t127 = structure[1] * structure[1] + structure[5] * structure[5];
-        const real_t t128 = tb_min(tb_max(t126 * (TB_C(1.0) / t127), TB_C(0.0)), TB_C(10.0));
+        const real_t t128 = tb_min(tb_max(t126 * (TB_C(1.0) / t127), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t129 = t123 + structure[1] * t128;
         const real_t t130 = t129 - wrench[0];
         const real_t t131 = t125 + structure[5] * t128;
@@ -1144,7 +1147,8 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const real_t t146 = structure[0] * (wrench[0] - t143) + structure[4] * (wrench[1] -
             t145);
         const real_t t147 = structure[0] * structure[0] + structure[4] * structure[4];
-        const real_t t148 = tb_min(tb_max(t146 * (TB_C(1.0) / t147), TB_C(0.0)), TB_C(10.0));
+        const real_t t148 = tb_min(tb_max(t146 * (TB_C(1.0) / t147), TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t149 = t143 + structure[0] * t148;
         const real_t t150 = t149 - wrench[0];
         const real_t t151 = t145 + structure[4] * t148;
@@ -1518,10 +1522,10 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     /* what the tensions exert, S T */
     real_t tension_0, tension_1, tension_2, tension_3, delivered_0, delivered_1, kkt_residual_0;
     if (t195) {
-        const real_t t196 = tb_min(t186, TB_C(10.0));
-        const real_t t197 = tb_min(t187, TB_C(10.0));
-        const real_t t198 = tb_min(t188, TB_C(10.0));
-        const real_t t199 = tb_min(t190, TB_C(10.0));
+        const real_t t196 = tb_min(t186, TB_TENSION_MAX);
+        const real_t t197 = tb_min(t187, TB_TENSION_MAX);
+        const real_t t198 = tb_min(t188, TB_TENSION_MAX);
+        const real_t t199 = tb_min(t190, TB_TENSION_MAX);
         const real_t t200 = structure[0] * t196 + structure[1] * t197 + structure[2] * t198;
         const real_t t201 = structure[4] * t196 + structure[5] * t197 + structure[6] * t198;
         tension_0 = t196;
@@ -1543,8 +1547,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t202 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t203 = !(t202 < t25 && t202 < t26);
     const bool t204 = !t195;
-    const bool t205 = TB_C(10.0) < t186 || TB_C(10.0) < t187 || TB_C(10.0) < t188;
-    const bool t206 = t205 || TB_C(10.0) < t190;
+    const bool t205 = TB_TENSION_MAX < t186 || TB_TENSION_MAX < t187 || TB_TENSION_MAX < t188;
+    const bool t206 = t205 || TB_TENSION_MAX < t190;
     if (t203) {
         return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out <this folder>
  * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out <this folder>
  * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[12])
 {
@@ -9,15 +10,15 @@ tb_status tb_base_points(const real_t rails[1], real_t points[12])
     points[0] = TB_C(0.0);
     points[1] = TB_C(0.0);
     points[2] = TB_C(0.0);
-    points[3] = TB_C(1.0);
+    points[3] = TB_FRAME_X;
     points[4] = TB_C(0.0);
     points[5] = TB_C(0.0);
     points[6] = TB_C(0.5);
-    points[7] = TB_C(0.8660254037844386);
+    points[7] = TB_FRAME_Y;
     points[8] = TB_C(0.0);
     points[9] = TB_C(0.5);
-    points[10] = TB_C(0.2886751345948129);
-    points[11] = TB_C(0.816496580927726);
+    points[10] = TB_BASE_4_Y;
+    points[11] = TB_FRAME_Z;
     return TB_OK;
 }
 
@@ -42,11 +43,11 @@ tb_status tb_cable_vectors(const real_t pose[3], const real_t rails[1], real_t v
     const real_t vectors_0 = -pose[0];
     const real_t vectors_1 = -pose[1];
     const real_t vectors_2 = -pose[2];
-    const real_t vectors_3 = TB_C(1.0) - pose[0];
+    const real_t vectors_3 = TB_FRAME_X - pose[0];
     const real_t vectors_6 = TB_C(0.5) - pose[0];
-    const real_t vectors_7 = TB_C(0.8660254037844386) - pose[1];
-    const real_t vectors_10 = TB_C(0.2886751345948129) - pose[1];
-    const real_t vectors_11 = TB_C(0.816496580927726) - pose[2];
+    const real_t vectors_7 = TB_FRAME_Y - pose[1];
+    const real_t vectors_10 = TB_BASE_4_Y - pose[1];
+    const real_t vectors_11 = TB_FRAME_Z - pose[2];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
     vectors[2] = vectors_2;
@@ -81,14 +82,14 @@ tb_status tb_cable_lengths(const real_t pose[3], const real_t rails[1], real_t l
     const real_t t0 = pose[1] * pose[1];
     const real_t t1 = pose[2] * pose[2];
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0 + t1);
-    const real_t t2 = TB_C(1.0) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t1 + (t0 + t2 * t2));
     const real_t t3 = TB_C(0.5) - pose[0];
     const real_t t4 = t3 * t3;
-    const real_t t5 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t5 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + (t4 + t5 * t5));
-    const real_t t6 = TB_C(0.2886751345948129) - pose[1];
-    const real_t t7 = TB_C(0.816496580927726) - pose[2];
+    const real_t t6 = TB_BASE_4_Y - pose[1];
+    const real_t t7 = TB_FRAME_Z - pose[2];
     const real_t length_3 = TB_SQRT(t4 + t6 * t6 + t7 * t7);
     const bool t8 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t9 = t8 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
@@ -133,18 +134,18 @@ tb_status tb_structure_matrix(const real_t pose[3], const real_t rails[1], real_
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t structure_0 = -(pose[0] * t2);
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t1 + (t0 + t3 * t3));
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t structure_1 = t3 * t4;
     const real_t t5 = TB_C(0.5) - pose[0];
     const real_t t6 = t5 * t5;
-    const real_t t7 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + (t6 + t7 * t7));
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t structure_2 = t5 * t8;
-    const real_t t9 = TB_C(0.2886751345948129) - pose[1];
-    const real_t t10 = TB_C(0.816496580927726) - pose[2];
+    const real_t t9 = TB_BASE_4_Y - pose[1];
+    const real_t t10 = TB_FRAME_Z - pose[2];
     const real_t length_3 = TB_SQRT(t6 + t9 * t9 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_3;
     const real_t structure_3 = t5 * t11;
@@ -209,7 +210,7 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[1], real_t
     const real_t jacobian_0 = pose[0] * t2;
     const real_t jacobian_1 = pose[1] * t2;
     const real_t jacobian_2 = pose[2] * t2;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t1 + (t0 + t3 * t3));
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t jacobian_3 = -(t3 * t4);
@@ -217,14 +218,14 @@ tb_status tb_length_jacobian(const real_t pose[3], const real_t rails[1], real_t
     const real_t jacobian_5 = pose[2] * t4;
     const real_t t5 = TB_C(0.5) - pose[0];
     const real_t t6 = t5 * t5;
-    const real_t t7 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + (t6 + t7 * t7));
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t jacobian_6 = -(t5 * t8);
     const real_t jacobian_7 = -(t7 * t8);
     const real_t jacobian_8 = pose[2] * t8;
-    const real_t t9 = TB_C(0.2886751345948129) - pose[1];
-    const real_t t10 = TB_C(0.816496580927726) - pose[2];
+    const real_t t9 = TB_BASE_4_Y - pose[1];
+    const real_t t10 = TB_FRAME_Z - pose[2];
     const real_t length_3 = TB_SQRT(t6 + t9 * t9 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_3;
     const real_t jacobian_9 = -(t5 * t11);
@@ -270,7 +271,7 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1],
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
         return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
-    const real_t t0 = TB_C(1.0) - pose[0];
+    const real_t t0 = TB_FRAME_X - pose[0];
     const real_t t1 = pose[1] * pose[1];
     const real_t t2 = pose[2] * pose[2];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -282,13 +283,13 @@ tb_status tb_task_velocity(const real_t pose[3], const real_t rails[1],
     const real_t t6 = pose[0] * t5;
     const real_t t7 = TB_C(0.5) - pose[0];
     const real_t t8 = t7 * t7;
-    const real_t t9 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t9 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t2 + (t8 + t9 * t9));
     const real_t t10 = TB_C(1.0) / length_2;
     const real_t t11 = t7 * t10;
     const real_t t12 = t4 * length_rates[1] - t6 * length_rates[0] + t11 * length_rates[2];
-    const real_t t13 = TB_C(0.2886751345948129) - pose[1];
-    const real_t t14 = TB_C(0.816496580927726) - pose[2];
+    const real_t t13 = TB_BASE_4_Y - pose[1];
+    const real_t t14 = TB_FRAME_Z - pose[2];
     const real_t length_3 = TB_SQRT(t8 + t13 * t13 + t14 * t14);
     const real_t t15 = TB_C(1.0) / length_3;
     const real_t t16 = t7 * t15;

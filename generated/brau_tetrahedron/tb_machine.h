@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out <this folder>
  * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -26,5 +26,11 @@
 
 #define TB_HAS_OBSERVER 0
 #define TB_HAND_FORCE_MEASURED 0
+
+#define TB_FRAME_X TB_C(1.0) /* m, side of the frame */
+#define TB_FRAME_Y TB_C(0.8660254037844386) /* m, side of the frame */
+#define TB_FRAME_Z TB_C(0.816496580927726) /* m, side of the frame */
+
+#define TB_BASE_4_Y TB_C(0.2886751345948129) /* m, base of cable 4 */
 
 #endif

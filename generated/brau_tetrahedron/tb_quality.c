@@ -1,9 +1,10 @@
-/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out <this folder>
  * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Before the first subset. */
 static tb_status tb_balance_begin(const real_t structure[12], real_t margin[1])

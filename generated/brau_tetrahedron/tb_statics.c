@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out <this folder>
  * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[12], const real_t tension[4], real_t wrench[3])
 {

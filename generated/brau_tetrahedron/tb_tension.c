@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out generated/brau_tetrahedron
+/* Regenerate: turnbuckle generate machines/brau_tetrahedron.toml --out <this folder>
  * Machine 1c3579fddb96c4cf, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
 static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
@@ -130,38 +131,38 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
     const real_t t50 = TB_C(1.0) / t14;
     const bool t51 = TB_C(0.0) < side[0];
     const bool t52 = TB_C(0.0) < side[1];
-    const real_t t53 = (t51 ? structure[0] * TB_C(20.0) : TB_C(0.0)) + (t52 ? structure[1] *
-        TB_C(20.0) : TB_C(0.0));
+    const real_t t53 = (t51 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t52 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const bool t54 = TB_C(0.0) < side[2];
-    const real_t t55 = t53 + (t54 ? structure[2] * TB_C(20.0) : TB_C(0.0));
+    const real_t t55 = t53 + (t54 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const bool t56 = TB_C(0.0) < side[3];
-    const real_t t57 = t55 + (t56 ? structure[3] * TB_C(20.0) : TB_C(0.0));
+    const real_t t57 = t55 + (t56 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t58 = (wrench[0] - t57) * t50;
     const real_t t59 = (t0 ? structure[4] : TB_C(0.0)) - t15 * t21;
     const real_t t60 = TB_C(1.0) / t29;
-    const real_t t61 = (t51 ? structure[4] * TB_C(20.0) : TB_C(0.0)) + (t52 ? structure[5] *
-        TB_C(20.0) : TB_C(0.0));
-    const real_t t62 = t61 + (t54 ? structure[6] * TB_C(20.0) : TB_C(0.0));
-    const real_t t63 = t62 + (t56 ? structure[7] * TB_C(20.0) : TB_C(0.0));
+    const real_t t61 = (t51 ? structure[4] * TB_TENSION_MAX : TB_C(0.0)) + (t52 ? structure[5]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t62 = t61 + (t54 ? structure[6] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t63 = t62 + (t56 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t64 = (wrench[1] - t63 + t58 * t59) * t60;
     const real_t t65 = (t2 ? t37 : TB_C(0.0)) - t36 * t41;
     const real_t t66 = TB_C(1.0) / t45;
-    const real_t t67 = (t51 ? structure[8] * TB_C(20.0) : TB_C(0.0)) + (t52 ? structure[9] *
-        TB_C(20.0) : TB_C(0.0));
-    const real_t t68 = t67 + (t54 ? structure[10] * TB_C(20.0) : TB_C(0.0));
-    const real_t t69 = t68 + (t56 ? structure[11] * TB_C(20.0) : TB_C(0.0));
+    const real_t t67 = (t51 ? structure[8] * TB_TENSION_MAX : TB_C(0.0)) + (t52 ? structure[9]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t68 = t67 + (t54 ? structure[10] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t69 = t68 + (t56 ? structure[11] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t70 = (t0 ? structure[8] : TB_C(0.0)) - t15 * t34;
     const real_t t71 = t66 * ((wrench[2] - t69 + t58 * t70 + t64 * t65) * t66);
     const real_t t72 = t60 * (t64 + t65 * t71);
     const real_t t73 = t50 * (t58 + t59 * t72 + t70 * t71);
     const real_t t74 = structure[2] * t73 + structure[6] * t72 + structure[10] * t71;
-    const real_t t75 = TB_C(0.0) < t5 ? tb_max(-t74, t74 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t75 = TB_C(0.0) < t5 ? tb_max(-t74, t74 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t76 = structure[3] * t73 + structure[7] * t72 + structure[11] * t71;
-    const real_t t77 = TB_C(0.0) < t7 ? tb_max(-t76, t76 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t77 = TB_C(0.0) < t7 ? tb_max(-t76, t76 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t78 = structure[0] * t73 + structure[4] * t72 + structure[8] * t71;
-    const real_t t79 = TB_C(0.0) < t1 ? tb_max(-t78, t78 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t79 = TB_C(0.0) < t1 ? tb_max(-t78, t78 - TB_TENSION_MAX) : -TB_C(1.0);
     const real_t t80 = structure[1] * t73 + structure[5] * t72 + structure[9] * t71;
-    const real_t t81 = TB_C(0.0) < t3 ? tb_max(-t80, t80 - TB_C(20.0)) : -TB_C(1.0);
+    const real_t t81 = TB_C(0.0) < t3 ? tb_max(-t80, t80 - TB_TENSION_MAX) : -TB_C(1.0);
     real_t t82, t83, t84, t85;
     if (t49) {
         t82 = moving[0] == TB_C(2.0) ? TB_C(1.0) : TB_C(0.0);
@@ -213,7 +214,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
     const bool t112 = t111 < TB_C(10.0);
     real_t t113;
     if (t110) {
-        const real_t t114 = tb_max(t112 ? -t111 : t111 - TB_C(20.0), TB_C(0.0));
+        const real_t t114 = tb_max(t112 ? -t111 : t111 - TB_TENSION_MAX, TB_C(0.0));
         t113 = t114 * (TB_C(1.0) / t109);
     } else {
         t113 = TB_C(1e+30);
@@ -222,7 +223,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
     const real_t t116 = side[0] * (t99 * t115);
     real_t t117;
     if (t48 < t116) {
-        const real_t t118 = t78 - t99 * push[0] - (t51 ? TB_C(20.0) : TB_C(0.0));
+        const real_t t118 = t78 - t99 * push[0] - (t51 ? TB_TENSION_MAX : TB_C(0.0));
         t117 = tb_max(side[0] * t118, TB_C(0.0)) / t116;
     } else {
         t117 = TB_C(1e+30);
@@ -230,7 +231,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
     const real_t t119 = side[1] * (t101 * t115);
     real_t t120;
     if (t48 < t119) {
-        const real_t t121 = t80 - t101 * push[0] - (t52 ? TB_C(20.0) : TB_C(0.0));
+        const real_t t121 = t80 - t101 * push[0] - (t52 ? TB_TENSION_MAX : TB_C(0.0));
         t120 = tb_max(side[1] * t121, TB_C(0.0)) / t119;
     } else {
         t120 = TB_C(1e+30);
@@ -238,7 +239,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
     const real_t t122 = side[2] * (t104 * t115);
     real_t t123;
     if (t48 < t122) {
-        const real_t t124 = t74 - t104 * push[0] - (t54 ? TB_C(20.0) : TB_C(0.0));
+        const real_t t124 = t74 - t104 * push[0] - (t54 ? TB_TENSION_MAX : TB_C(0.0));
         t123 = tb_max(side[2] * t124, TB_C(0.0)) / t122;
     } else {
         t123 = TB_C(1e+30);
@@ -246,7 +247,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[12], const re
     const real_t t125 = side[3] * (t107 * t115);
     real_t t126;
     if (t48 < t125) {
-        const real_t t127 = t76 - t107 * push[0] - (t56 ? TB_C(20.0) : TB_C(0.0));
+        const real_t t127 = t76 - t107 * push[0] - (t56 ? TB_TENSION_MAX : TB_C(0.0));
         t126 = tb_max(side[3] * t127, TB_C(0.0)) / t125;
     } else {
         t126 = TB_C(1e+30);
@@ -295,12 +296,12 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[12], const 
     const bool t0 = side[0] == TB_C(0.0);
     const bool t1 = TB_C(0.0) < side[0];
     const bool t2 = TB_C(0.0) < side[1];
-    const real_t t3 = (t1 ? structure[0] * TB_C(20.0) : TB_C(0.0)) + (t2 ? TB_C(20.0) *
+    const real_t t3 = (t1 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t2 ? TB_TENSION_MAX *
         structure[1] : TB_C(0.0));
     const bool t4 = TB_C(0.0) < side[2];
-    const real_t t5 = t3 + (t4 ? TB_C(20.0) * structure[2] : TB_C(0.0));
+    const real_t t5 = t3 + (t4 ? TB_TENSION_MAX * structure[2] : TB_C(0.0));
     const bool t6 = TB_C(0.0) < side[3];
-    const real_t t7 = t5 + (t6 ? TB_C(20.0) * structure[3] : TB_C(0.0));
+    const real_t t7 = t5 + (t6 ? TB_TENSION_MAX * structure[3] : TB_C(0.0));
     const real_t t8 = wrench[0] - t7;
     const real_t t9 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
     const bool t10 = TB_C(0.0) == side[1];
@@ -322,10 +323,10 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[12], const 
     const real_t t26 = TB_C(1.0) / (t16 * (t16 + TB_ABS(t17)));
     const real_t t27 = (t24 + t25) * t26;
     const real_t t28 = (t0 ? structure[4] : TB_C(0.0)) - t21 * t27;
-    const real_t t29 = (t1 ? TB_C(20.0) * structure[4] : TB_C(0.0)) + (t2 ? TB_C(20.0) *
-        structure[5] : TB_C(0.0));
-    const real_t t30 = t29 + (t4 ? TB_C(20.0) * structure[6] : TB_C(0.0));
-    const real_t t31 = t30 + (t6 ? TB_C(20.0) * structure[7] : TB_C(0.0));
+    const real_t t29 = (t1 ? TB_TENSION_MAX * structure[4] : TB_C(0.0)) + (t2 ? TB_TENSION_MAX
+        * structure[5] : TB_C(0.0));
+    const real_t t30 = t29 + (t4 ? TB_TENSION_MAX * structure[6] : TB_C(0.0));
+    const real_t t31 = t30 + (t6 ? TB_TENSION_MAX * structure[7] : TB_C(0.0));
     const real_t t32 = wrench[1] - t31;
     const real_t t33 = structure[5] - structure[1] * t27;
     const real_t t34 = structure[6] - structure[2] * t27;
@@ -352,10 +353,10 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[12], const 
     const real_t t53 = t51 + (t14 ? (t14 ? t36 * t52 : TB_C(0.0)) : TB_C(0.0));
     const real_t t54 = t53 / (t38 * (t38 + TB_ABS(t39)));
     const real_t t55 = (t10 ? t48 : TB_C(0.0)) - t49 * t54;
-    const real_t t56 = (t1 ? TB_C(20.0) * structure[8] : TB_C(0.0)) + (t2 ? TB_C(20.0) *
-        structure[9] : TB_C(0.0));
-    const real_t t57 = t56 + (t4 ? TB_C(20.0) * structure[10] : TB_C(0.0));
-    const real_t t58 = t57 + (t6 ? TB_C(20.0) * structure[11] : TB_C(0.0));
+    const real_t t56 = (t1 ? TB_TENSION_MAX * structure[8] : TB_C(0.0)) + (t2 ? TB_TENSION_MAX
+        * structure[9] : TB_C(0.0));
+    const real_t t57 = t56 + (t4 ? TB_TENSION_MAX * structure[10] : TB_C(0.0));
+    const real_t t58 = t57 + (t6 ? TB_TENSION_MAX * structure[11] : TB_C(0.0));
     const real_t t59 = wrench[2] - t58;
     const real_t t60 = (t0 ? structure[8] : TB_C(0.0)) - t21 * t47;
     const real_t t61 = t50 - t34 * t54;
@@ -390,20 +391,20 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[12], const 
     const real_t t83 = t19 * (t75 + t28 * t82 + t60 * t81);
     const real_t t84 = structure[0] * t83 + structure[4] * t82 + structure[8] * t81;
     const real_t t85 = t69 + t84;
-    const real_t t86 = t1 ? TB_C(20.0) : TB_C(0.0);
-    const real_t tension_0 = tb_min(tb_max(t0 ? t85 : t86, TB_C(0.0)), TB_C(20.0));
+    const real_t t86 = t1 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_0 = tb_min(tb_max(t0 ? t85 : t86, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t87 = structure[1] * t83 + structure[5] * t82 + structure[9] * t81;
     const real_t t88 = t70 + t87;
-    const real_t t89 = t2 ? TB_C(20.0) : TB_C(0.0);
-    const real_t tension_1 = tb_min(tb_max(t10 ? t88 : t89, TB_C(0.0)), TB_C(20.0));
+    const real_t t89 = t2 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_1 = tb_min(tb_max(t10 ? t88 : t89, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t90 = structure[2] * t83 + structure[6] * t82 + structure[10] * t81;
     const real_t t91 = t72 + t90;
-    const real_t t92 = t4 ? TB_C(20.0) : TB_C(0.0);
-    const real_t tension_2 = tb_min(tb_max(t12 ? t91 : t92, TB_C(0.0)), TB_C(20.0));
+    const real_t t92 = t4 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_2 = tb_min(tb_max(t12 ? t91 : t92, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t93 = structure[3] * t83 + structure[7] * t82 + structure[11] * t81;
     const real_t t94 = t73 + t93;
-    const real_t t95 = t6 ? TB_C(20.0) : TB_C(0.0);
-    const real_t tension_3 = tb_min(tb_max(t14 ? t94 : t95, TB_C(0.0)), TB_C(20.0));
+    const real_t t95 = t6 ? TB_TENSION_MAX : TB_C(0.0);
+    const real_t tension_3 = tb_min(tb_max(t14 ? t94 : t95, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t96 = structure[0] * tension_0 + structure[1] * tension_1;
     const real_t delivered_0 = t96 + structure[2] * tension_2 + structure[3] * tension_3;
     const real_t t97 = structure[4] * tension_0 + structure[5] * tension_1;
@@ -415,7 +416,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[12], const 
     const real_t t101 = tb_min(tb_min(TB_ABS(t18), TB_ABS(t40)), TB_ABS(t64));
     const real_t t102 = tb_max(TB_C(0.0), t100) * tb_min(TB_C(1.0), t101);
     const real_t t103 = tb_max(tb_max(TB_ABS(t68), TB_ABS(t67)), TB_ABS(t66));
-    const real_t t104 = TB_C(20.0) * t102 * (TB_C(1.0) / tb_max(TB_C(20.0), t103));
+    const real_t t104 = TB_TENSION_MAX * t102 * (TB_C(1.0) / tb_max(TB_TENSION_MAX, t103));
     const real_t t105 = tb_max(tb_max(t104, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
     const real_t kkt_residual_0 = tb_max(t105, TB_ABS(delivered_2 - wrench[2]));
@@ -897,10 +898,10 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[12], 
     real_t tension_0, tension_1, tension_2, tension_3, delivered_0, delivered_1, delivered_2,
         kkt_residual_0;
     if (t117) {
-        const real_t t118 = tb_min(t105, TB_C(20.0));
-        const real_t t119 = tb_min(t106, TB_C(20.0));
-        const real_t t120 = tb_min(t107, TB_C(20.0));
-        const real_t t121 = tb_min(t109, TB_C(20.0));
+        const real_t t118 = tb_min(t105, TB_TENSION_MAX);
+        const real_t t119 = tb_min(t106, TB_TENSION_MAX);
+        const real_t t120 = tb_min(t107, TB_TENSION_MAX);
+        const real_t t121 = tb_min(t109, TB_TENSION_MAX);
         const real_t t122 = structure[0] * t118 + structure[1] * t119 + structure[2] * t120;
         const real_t t123 = structure[4] * t118 + structure[5] * t119 + structure[6] * t120;
         const real_t t124 = structure[8] * t118 + structure[9] * t119 + structure[10] * t120;
@@ -923,8 +924,8 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[12], 
         kkt_residual_0 = TB_C(0.0);
     }
     const bool t125 = !t117;
-    const bool t126 = TB_C(20.0) < t105 || TB_C(20.0) < t106 || TB_C(20.0) < t107;
-    const bool t127 = t126 || TB_C(20.0) < t109;
+    const bool t126 = TB_TENSION_MAX < t105 || TB_TENSION_MAX < t106 || TB_TENSION_MAX < t107;
+    const bool t127 = t126 || TB_TENSION_MAX < t109;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -1011,24 +1012,24 @@ static tb_status tb_served_wrench_closest_begin(const real_t structure[12], cons
     const bool t7 = t6 < TB_C(0.0);
     const real_t t8 = structure[1] * t1 + structure[5] * t3 + structure[9] * t5;
     const bool t9 = t8 < TB_C(0.0);
-    const real_t t10 = (t7 ? structure[0] * TB_C(20.0) : TB_C(0.0)) + (t9 ? structure[1] *
-        TB_C(20.0) : TB_C(0.0));
+    const real_t t10 = (t7 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t9 ? structure[1] *
+        TB_TENSION_MAX : TB_C(0.0));
     const real_t t11 = structure[2] * t1 + structure[6] * t3 + structure[10] * t5;
     const bool t12 = t11 < TB_C(0.0);
-    const real_t t13 = t10 + (t12 ? structure[2] * TB_C(20.0) : TB_C(0.0));
+    const real_t t13 = t10 + (t12 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t14 = structure[3] * t1 + structure[7] * t3 + structure[11] * t5;
     const bool t15 = t14 < TB_C(0.0);
-    const real_t t16 = t13 + (t15 ? structure[3] * TB_C(20.0) : TB_C(0.0));
+    const real_t t16 = t13 + (t15 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
     const real_t points_0 = t16 - wrench[0];
-    const real_t t17 = (t7 ? structure[4] * TB_C(20.0) : TB_C(0.0)) + (t9 ? structure[5] *
-        TB_C(20.0) : TB_C(0.0));
-    const real_t t18 = t17 + (t12 ? structure[6] * TB_C(20.0) : TB_C(0.0));
-    const real_t t19 = t18 + (t15 ? structure[7] * TB_C(20.0) : TB_C(0.0));
+    const real_t t17 = (t7 ? structure[4] * TB_TENSION_MAX : TB_C(0.0)) + (t9 ? structure[5] *
+        TB_TENSION_MAX : TB_C(0.0));
+    const real_t t18 = t17 + (t12 ? structure[6] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t19 = t18 + (t15 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
     const real_t points_1 = t19 - wrench[1];
-    const real_t t20 = (t7 ? structure[8] * TB_C(20.0) : TB_C(0.0)) + (t9 ? structure[9] *
-        TB_C(20.0) : TB_C(0.0));
-    const real_t t21 = t20 + (t12 ? structure[10] * TB_C(20.0) : TB_C(0.0));
-    const real_t t22 = t21 + (t15 ? structure[11] * TB_C(20.0) : TB_C(0.0));
+    const real_t t20 = (t7 ? structure[8] * TB_TENSION_MAX : TB_C(0.0)) + (t9 ? structure[9] *
+        TB_TENSION_MAX : TB_C(0.0));
+    const real_t t21 = t20 + (t12 ? structure[10] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t22 = t21 + (t15 ? structure[11] * TB_TENSION_MAX : TB_C(0.0));
     const real_t points_2 = t22 - wrench[2];
     points[0] = points_0;
     points[1] = points_1;
@@ -1268,25 +1269,25 @@ static tb_status tb_served_wrench_closest_step(const real_t structure[12], const
     const bool t174 = t172 + structure[8] * offset_2 < TB_C(0.0);
     const real_t t175 = offset_0 * structure[1] + offset_1 * structure[5];
     const bool t176 = t175 + offset_2 * structure[9] < TB_C(0.0);
-    const real_t t177 = (t174 ? structure[0] * TB_C(20.0) : TB_C(0.0)) + (t176 ? TB_C(20.0) *
-        structure[1] : TB_C(0.0));
+    const real_t t177 = (t174 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t176 ?
+        TB_TENSION_MAX * structure[1] : TB_C(0.0));
     const real_t t178 = offset_0 * structure[2] + offset_1 * structure[6];
     const bool t179 = t178 + offset_2 * structure[10] < TB_C(0.0);
-    const real_t t180 = t177 + (t179 ? TB_C(20.0) * structure[2] : TB_C(0.0));
+    const real_t t180 = t177 + (t179 ? TB_TENSION_MAX * structure[2] : TB_C(0.0));
     const real_t t181 = offset_0 * structure[3] + offset_1 * structure[7];
     const bool t182 = t181 + offset_2 * structure[11] < TB_C(0.0);
-    const real_t t183 = t180 + (t182 ? TB_C(20.0) * structure[3] : TB_C(0.0));
+    const real_t t183 = t180 + (t182 ? TB_TENSION_MAX * structure[3] : TB_C(0.0));
     const real_t t184 = t183 - wrench[0];
-    const real_t t185 = (t174 ? structure[4] * TB_C(20.0) : TB_C(0.0)) + (t176 ? TB_C(20.0) *
-        structure[5] : TB_C(0.0));
-    const real_t t186 = t185 + (t179 ? TB_C(20.0) * structure[6] : TB_C(0.0));
-    const real_t t187 = t186 + (t182 ? TB_C(20.0) * structure[7] : TB_C(0.0));
+    const real_t t185 = (t174 ? structure[4] * TB_TENSION_MAX : TB_C(0.0)) + (t176 ?
+        TB_TENSION_MAX * structure[5] : TB_C(0.0));
+    const real_t t186 = t185 + (t179 ? TB_TENSION_MAX * structure[6] : TB_C(0.0));
+    const real_t t187 = t186 + (t182 ? TB_TENSION_MAX * structure[7] : TB_C(0.0));
     const real_t t188 = t187 - wrench[1];
     const real_t t189 = offset_0 * (offset_0 - t184) + offset_1 * (offset_1 - t188);
-    const real_t t190 = (t174 ? structure[8] * TB_C(20.0) : TB_C(0.0)) + (t176 ? TB_C(20.0) *
-        structure[9] : TB_C(0.0));
-    const real_t t191 = t190 + (t179 ? TB_C(20.0) * structure[10] : TB_C(0.0));
-    const real_t t192 = t191 + (t182 ? TB_C(20.0) * structure[11] : TB_C(0.0));
+    const real_t t190 = (t174 ? structure[8] * TB_TENSION_MAX : TB_C(0.0)) + (t176 ?
+        TB_TENSION_MAX * structure[9] : TB_C(0.0));
+    const real_t t191 = t190 + (t179 ? TB_TENSION_MAX * structure[10] : TB_C(0.0));
+    const real_t t192 = t191 + (t182 ? TB_TENSION_MAX * structure[11] : TB_C(0.0));
     const real_t t193 = t192 - wrench[2];
     const real_t t194 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t195 = offset_0 * offset_0 + offset_1 * offset_1 + offset_2 * offset_2;
@@ -1409,24 +1410,24 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[12], con
     const bool t15 = t14 + offset[2] * structure[8] < TB_C(0.0);
     const real_t t16 = offset[0] * structure[1] + offset[1] * structure[5];
     const bool t17 = t16 + offset[2] * structure[9] < TB_C(0.0);
-    const real_t t18 = (t15 ? structure[0] * TB_C(20.0) : TB_C(0.0)) + (t17 ? structure[1] *
-        TB_C(20.0) : TB_C(0.0));
+    const real_t t18 = (t15 ? structure[0] * TB_TENSION_MAX : TB_C(0.0)) + (t17 ? structure[1]
+        * TB_TENSION_MAX : TB_C(0.0));
     const real_t t19 = offset[0] * structure[2] + offset[1] * structure[6];
     const bool t20 = t19 + offset[2] * structure[10] < TB_C(0.0);
-    const real_t t21 = t18 + (t20 ? structure[2] * TB_C(20.0) : TB_C(0.0));
+    const real_t t21 = t18 + (t20 ? structure[2] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t22 = offset[0] * structure[3] + offset[1] * structure[7];
     const bool t23 = t22 + offset[2] * structure[11] < TB_C(0.0);
-    const real_t t24 = t21 + (t23 ? structure[3] * TB_C(20.0) : TB_C(0.0));
-    const real_t t25 = (t15 ? structure[4] * TB_C(20.0) : TB_C(0.0)) + (t17 ? structure[5] *
-        TB_C(20.0) : TB_C(0.0));
-    const real_t t26 = t25 + (t20 ? structure[6] * TB_C(20.0) : TB_C(0.0));
-    const real_t t27 = t26 + (t23 ? structure[7] * TB_C(20.0) : TB_C(0.0));
+    const real_t t24 = t21 + (t23 ? structure[3] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t25 = (t15 ? structure[4] * TB_TENSION_MAX : TB_C(0.0)) + (t17 ? structure[5]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t26 = t25 + (t20 ? structure[6] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t27 = t26 + (t23 ? structure[7] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t28 = offset[0] * (offset[0] - (t24 - wrench[0])) + offset[1] * (offset[1] -
         (t27 - wrench[1]));
-    const real_t t29 = (t15 ? structure[8] * TB_C(20.0) : TB_C(0.0)) + (t17 ? structure[9] *
-        TB_C(20.0) : TB_C(0.0));
-    const real_t t30 = t29 + (t20 ? structure[10] * TB_C(20.0) : TB_C(0.0));
-    const real_t t31 = t30 + (t23 ? structure[11] * TB_C(20.0) : TB_C(0.0));
+    const real_t t29 = (t15 ? structure[8] * TB_TENSION_MAX : TB_C(0.0)) + (t17 ? structure[9]
+        * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t30 = t29 + (t20 ? structure[10] * TB_TENSION_MAX : TB_C(0.0));
+    const real_t t31 = t30 + (t23 ? structure[11] * TB_TENSION_MAX : TB_C(0.0));
     const real_t t32 = t28 + offset[2] * (offset[2] - (t31 - wrench[2]));
     const real_t t33 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t34 = t1 * (TB_EPSILON * TB_C(64.0) * (TB_C(80.0) + t33));

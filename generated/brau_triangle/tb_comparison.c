@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out <this folder>
  * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 0 N. */
 static tb_status tb_refuse_kernel_tension(tb_status status, real_t tension[3])

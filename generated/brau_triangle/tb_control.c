@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out <this folder>
  * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
 {
@@ -11,9 +12,9 @@ tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
         torque[2] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;

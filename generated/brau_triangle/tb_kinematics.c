@@ -1,17 +1,18 @@
-/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out <this folder>
  * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[6])
 {
     (void)rails;
     points[0] = TB_C(0.0);
     points[1] = TB_C(0.0);
-    points[2] = TB_C(1.0);
+    points[2] = TB_FRAME_X;
     points[3] = TB_C(0.0);
-    points[4] = TB_C(0.5);
-    points[5] = TB_C(0.8660254037844386);
+    points[4] = TB_BASE_3_X;
+    points[5] = TB_FRAME_Y;
     return TB_OK;
 }
 
@@ -29,9 +30,9 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     }
     const real_t vectors_0 = -pose[0];
     const real_t vectors_1 = -pose[1];
-    const real_t vectors_2 = TB_C(1.0) - pose[0];
-    const real_t vectors_4 = TB_C(0.5) - pose[0];
-    const real_t vectors_5 = TB_C(0.8660254037844386) - pose[1];
+    const real_t vectors_2 = TB_FRAME_X - pose[0];
+    const real_t vectors_4 = TB_BASE_3_X - pose[0];
+    const real_t vectors_5 = TB_FRAME_Y - pose[1];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
     vectors[2] = vectors_2;
@@ -58,10 +59,10 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     }
     const real_t t0 = pose[1] * pose[1];
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
-    const real_t t1 = TB_C(1.0) - pose[0];
+    const real_t t1 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t1 * t1);
-    const real_t t2 = TB_C(0.5) - pose[0];
-    const real_t t3 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t2 = TB_BASE_3_X - pose[0];
+    const real_t t3 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t2 * t2 + t3 * t3);
     const bool t4 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t5 = !(t4 && TB_C(0.0001) < length_2);
@@ -97,12 +98,12 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t structure_0 = -(pose[0] * t1);
-    const real_t t2 = TB_C(1.0) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t2 * t2);
     const real_t t3 = TB_C(1.0) / length_1;
     const real_t structure_1 = t2 * t3;
-    const real_t t4 = TB_C(0.5) - pose[0];
-    const real_t t5 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t4 = TB_BASE_3_X - pose[0];
+    const real_t t5 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t4 * t4 + t5 * t5);
     const real_t t6 = TB_C(1.0) / length_2;
     const real_t structure_2 = t4 * t6;
@@ -147,13 +148,13 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t jacobian_0 = pose[0] * t1;
     const real_t jacobian_1 = pose[1] * t1;
-    const real_t t2 = TB_C(1.0) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t2 * t2);
     const real_t t3 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t2 * t3);
     const real_t jacobian_3 = pose[1] * t3;
-    const real_t t4 = TB_C(0.5) - pose[0];
-    const real_t t5 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t4 = TB_BASE_3_X - pose[0];
+    const real_t t5 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t4 * t4 + t5 * t5);
     const real_t t6 = TB_C(1.0) / length_2;
     const real_t jacobian_4 = -(t4 * t6);
@@ -190,7 +191,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
               TB_C(300.0))) {
         return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
-    const real_t t0 = TB_C(1.0) - pose[0];
+    const real_t t0 = TB_FRAME_X - pose[0];
     const real_t t1 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_1 = TB_SQRT(t0 * t0 + t1);
@@ -199,8 +200,8 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t length_0 = TB_SQRT(t1 + pose[0] * pose[0]);
     const real_t t4 = TB_C(1.0) / length_0;
     const real_t t5 = pose[0] * t4;
-    const real_t t6 = TB_C(0.5) - pose[0];
-    const real_t t7 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t6 = TB_BASE_3_X - pose[0];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t6 * t6 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t t9 = t6 * t8;

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out <this folder>
  * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 0 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[3])
@@ -23,15 +24,15 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t t2 = pose[0] * t1;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t t5 = pose[1] * t4;
     const real_t t6 = pose[1] * t1;
     const real_t t7 = t3 * t4;
     const real_t t8 = TB_ABS(t2 * t5 + t6 * t7);
-    const real_t t9 = TB_C(0.5) - pose[0];
-    const real_t t10 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t9 = TB_BASE_3_X - pose[0];
+    const real_t t10 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t9 * t9 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_2;
     const real_t t12 = t9 * t11;
@@ -64,7 +65,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t39 = TB_ABS(t32);
     const real_t t40 = TB_C(1.0) / tb_min(t38, t39);
     const real_t t41 = TB_EPSILON * TB_C(60.0) * t40;
-    const real_t t42 = t41 + TB_C(20.0);
+    const real_t t42 = t41 + TB_TENSION_MAX;
     real_t t43, t44;
     if (t37) {
         t43 = -TB_C(1000000000000.0);
@@ -104,11 +105,11 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     }
     const real_t t62 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t43, t50), t57)),
         tb_min(tb_min(t44, t51), t58));
-    const real_t t63 = tb_min(tb_max(-(t35 * t62), TB_C(0.0)), TB_C(20.0));
+    const real_t t63 = tb_min(tb_max(-(t35 * t62), TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_0 = t21 ? t63 : TB_C(0.0);
-    const real_t t64 = tb_min(tb_max(-(t48 * t62), TB_C(0.0)), TB_C(20.0));
+    const real_t t64 = tb_min(tb_max(-(t48 * t62), TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_1 = t21 ? t64 : TB_C(0.0);
-    const real_t t65 = tb_min(tb_max(t55 * t62, TB_C(0.0)), TB_C(20.0));
+    const real_t t65 = tb_min(tb_max(t55 * t62, TB_C(0.0)), TB_TENSION_MAX);
     const real_t tension_2 = t21 ? t65 : TB_C(0.0);
     const bool t66 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t67 = !(t66 && TB_C(0.0001) < length_2);
@@ -148,15 +149,15 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t t2 = pose[0] * t1;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t t5 = pose[1] * t4;
     const real_t t6 = pose[1] * t1;
     const real_t t7 = t3 * t4;
     const real_t t8 = TB_ABS(t2 * t5 + t6 * t7);
-    const real_t t9 = TB_C(0.5) - pose[0];
-    const real_t t10 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t9 = TB_BASE_3_X - pose[0];
+    const real_t t10 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t9 * t9 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_2;
     const real_t t12 = t9 * t11;
@@ -188,7 +189,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t38 = TB_ABS(t23);
     const real_t t39 = TB_ABS(t32);
     const real_t t40 = TB_EPSILON * TB_C(60.0) / tb_min(t38, t39);
-    const real_t t41 = t40 + TB_C(20.0);
+    const real_t t41 = t40 + TB_TENSION_MAX;
     real_t t42, t43;
     if (t37) {
         t42 = -TB_C(1000000000000.0);
@@ -229,9 +230,9 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t61 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t42, t49), t56)),
         tb_min(tb_min(t43, t50), t57));
     /* T0 */
-    const real_t rest_0 = tb_min(tb_max(-(t35 * t61), TB_C(0.0)), TB_C(20.0));
-    const real_t rest_1 = tb_min(tb_max(-(t47 * t61), TB_C(0.0)), TB_C(20.0));
-    const real_t rest_2 = tb_min(tb_max(t54 * t61, TB_C(0.0)), TB_C(20.0));
+    const real_t rest_0 = tb_min(tb_max(-(t35 * t61), TB_C(0.0)), TB_TENSION_MAX);
+    const real_t rest_1 = tb_min(tb_max(-(t47 * t61), TB_C(0.0)), TB_TENSION_MAX);
+    const real_t rest_2 = tb_min(tb_max(t54 * t61, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t62 = tb_max(tb_max(rest_0, rest_1), rest_2);
     real_t factor_0;
     if (t21) {
@@ -270,15 +271,15 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t t2 = pose[0] * t1;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t t5 = pose[1] * t4;
     const real_t t6 = pose[1] * t1;
     const real_t t7 = t3 * t4;
     const real_t t8 = TB_ABS(t2 * t5 + t6 * t7);
-    const real_t t9 = TB_C(0.5) - pose[0];
-    const real_t t10 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t9 = TB_BASE_3_X - pose[0];
+    const real_t t10 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t9 * t9 + t10 * t10);
     const real_t t11 = TB_C(1.0) / length_2;
     const real_t t12 = t9 * t11;
@@ -324,7 +325,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t t2 = pose[0] * t1;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t t5 = pose[1] * t4;
@@ -332,8 +333,8 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t7 = t3 * t4;
     const real_t t8 = t2 * t5 + t6 * t7;
     const real_t t9 = TB_ABS(t8);
-    const real_t t10 = TB_C(0.5) - pose[0];
-    const real_t t11 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t10 = TB_BASE_3_X - pose[0];
+    const real_t t11 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t10 * t10 + t11 * t11);
     const real_t t12 = TB_C(1.0) / length_2;
     const real_t t13 = t10 * t12;
@@ -385,7 +386,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t length_0 = TB_SQRT(pose[0] * pose[0] + t0);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t t2 = pose[0] * t1;
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t0 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t t5 = pose[1] * t4;
@@ -393,8 +394,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t7 = t3 * t4;
     const real_t t8 = t2 * t5 + t6 * t7;
     const real_t t9 = TB_ABS(t8);
-    const real_t t10 = TB_C(0.5) - pose[0];
-    const real_t t11 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t10 = TB_BASE_3_X - pose[0];
+    const real_t t11 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t10 * t10 + t11 * t11);
     const real_t t12 = TB_C(1.0) / length_2;
     const real_t t13 = t10 * t12;
@@ -438,7 +439,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t49 = TB_C(16.0) * TB_EPSILON;
         const bool t50 = TB_ABS(t48) <= t49;
         const real_t t51 = TB_EPSILON * TB_C(60.0) / tb_min(t36, t37);
-        const real_t t52 = TB_C(20.0) + t51;
+        const real_t t52 = TB_TENSION_MAX + t51;
         real_t t53, t54;
         if (t50) {
             t53 = -TB_C(1000000000000.0);
@@ -478,16 +479,17 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         }
         const real_t t72 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t53, t60), t67)),
             tb_min(tb_min(t54, t61), t68));
-        const real_t t73 = tb_min(tb_max(-(t48 * t72), TB_C(0.0)), TB_C(20.0));
+        const real_t t73 = tb_min(tb_max(-(t48 * t72), TB_C(0.0)), TB_TENSION_MAX);
         /* t_i = T_max - T0_i */
-        const real_t margin_0 = TB_C(20.0) - t73;
-        const real_t t74 = tb_min(tb_max(-(t58 * t72), TB_C(0.0)), TB_C(20.0));
-        const real_t margin_1 = TB_C(20.0) - t74;
+        const real_t margin_0 = TB_TENSION_MAX - t73;
+        const real_t t74 = tb_min(tb_max(-(t58 * t72), TB_C(0.0)), TB_TENSION_MAX);
+        const real_t margin_1 = TB_TENSION_MAX - t74;
         const real_t t75 = tb_min(margin_0, margin_1);
         const bool t76 = -(t2 * t13 + t6 * t15) < TB_C(0.0);
         const bool t77 = TB_C(0.0) < t22;
         const bool t78 = (t40 || (TB_C(0.0) <= t17 && t76)) && !(t38 && t77);
-        const real_t margin_2 = TB_C(20.0) - tb_min(tb_max(t65 * t72, TB_C(0.0)), TB_C(20.0));
+        const real_t margin_2 = TB_TENSION_MAX - tb_min(tb_max(t65 * t72, TB_C(0.0)),
+            TB_TENSION_MAX);
         const real_t t79 = tb_min(margin_0, margin_2);
         const real_t t80 = tb_min(t43 ? (t39 ? t8 * t75 : t75) : TB_C(1e+30), t78 ? (t76 ? t17
             * t79 : t79) : TB_C(1e+30));

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out <this folder>
  * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t wrench[2])
 {
@@ -41,13 +42,13 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
     const real_t t2 = TB_SQRT(t0 + t1);
-    const real_t t3 = TB_C(1.0) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = t3 * t3;
-    const real_t t5 = TB_C(0.5) - pose[0];
+    const real_t t5 = TB_BASE_3_X - pose[0];
     const real_t t6 = t5 * t5;
     const real_t t7 = t0 + t4 + t6;
     const real_t t8 = TB_C(1.0) / t7;
-    const real_t t9 = TB_C(0.8660254037844386) - pose[1];
+    const real_t t9 = TB_FRAME_Y - pose[1];
     const real_t t10 = t8 * (pose[0] * pose[1] - pose[1] * t3 + t5 * t9);
     const real_t t11 = t9 * t9;
     const real_t t12 = (wrench[1] - wrench[0] * t10) / (t1 * TB_C(2.0) + t11 - t7 * (t10 *

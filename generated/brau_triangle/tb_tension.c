@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out generated/brau_triangle
+/* Regenerate: turnbuckle generate machines/brau_triangle.toml --out <this folder>
  * Machine 62d2624dcb098eaa, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 0 N; delivered is 0 N; kkt_residual is 0 N. */
 static tb_status tb_refuse_least_norm_tension(tb_status status, real_t tension[3],
@@ -64,7 +65,7 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     } else {
         const real_t t34 = TB_C(1.0) / t25;
         const real_t t35 = -((t20 - t31) * t34);
-        const real_t t36 = -(t34 * (t31 + (t20 + TB_C(20.0))));
+        const real_t t36 = -(t34 * (t31 + (t20 + TB_TENSION_MAX)));
         t32 = tb_min(t35, t36);
         t33 = tb_max(t35, t36);
     }
@@ -79,7 +80,7 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     } else {
         const real_t t41 = TB_C(1.0) / t37;
         const real_t t42 = (t31 + start_1) * t41;
-        const real_t t43 = -(t41 * (t31 + (TB_C(20.0) - start_1)));
+        const real_t t43 = -(t41 * (t31 + (TB_TENSION_MAX - start_1)));
         t39 = tb_min(t42, t43);
         t40 = tb_max(t42, t43);
     }
@@ -93,15 +94,15 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
     } else {
         const real_t t48 = TB_C(1.0) / t44;
         const real_t t49 = -((t31 + start_2) * t48);
-        const real_t t50 = t48 * (t31 + (TB_C(20.0) - start_2));
+        const real_t t50 = t48 * (t31 + (TB_TENSION_MAX - start_2));
         t46 = tb_min(t49, t50);
         t47 = tb_max(t49, t50);
     }
     const real_t t51 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t32, t39), t46)),
         tb_min(tb_min(t33, t40), t47));
-    const real_t tension_0 = tb_min(tb_max(-(t20 + t25 * t51), TB_C(0.0)), TB_C(20.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 - t37 * t51, TB_C(0.0)), TB_C(20.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t44 * t51, TB_C(0.0)), TB_C(20.0));
+    const real_t tension_0 = tb_min(tb_max(-(t20 + t25 * t51), TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_1 = tb_min(tb_max(start_1 - t37 * t51, TB_C(0.0)), TB_TENSION_MAX);
+    const real_t tension_2 = tb_min(tb_max(start_2 + t44 * t51, TB_C(0.0)), TB_TENSION_MAX);
     const real_t t52 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t52 + structure[2] * tension_2;
@@ -238,22 +239,23 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
             const bool t64 = (t60 && !t62) || (t63 && TB_C(0.0) < t11 - t10);
             const bool t65 = !t58;
             const bool t66 = (t58 && t64) || (t65 && !t64);
-            const real_t t67 = structure[0] * TB_C(20.0);
+            const real_t t67 = structure[0] * TB_TENSION_MAX;
             const bool t68 = t19 <= t59;
             const real_t t69 = structure[1] * structure[2] + structure[4] * structure[5];
             const bool t70 = TB_C(0.0) < t69;
             const bool t71 = !t68;
             const bool t72 = (t68 && !t70) || (t71 && TB_C(0.0) < t17 - t16);
             const bool t73 = (t58 && t72) || (t65 && !t72);
-            const real_t t74 = structure[1] * TB_C(20.0);
+            const real_t t74 = structure[1] * TB_TENSION_MAX;
             const real_t t75 = (t66 ? t67 : TB_C(0.0)) + (t73 ? t74 : TB_C(0.0));
-            const real_t t76 = structure[3] * TB_C(20.0);
-            const real_t t77 = structure[4] * TB_C(20.0);
+            const real_t t76 = structure[3] * TB_TENSION_MAX;
+            const real_t t77 = structure[4] * TB_TENSION_MAX;
             const real_t t78 = (t66 ? t76 : TB_C(0.0)) + (t73 ? t77 : TB_C(0.0));
             const real_t t79 = structure[2] * (wrench[0] - t75) + structure[5] * (wrench[1] -
                 t78);
             const real_t t80 = structure[2] * structure[2] + structure[5] * structure[5];
-            const real_t t81 = tb_min(tb_max(t79 * (TB_C(1.0) / t80), TB_C(0.0)), TB_C(20.0));
+            const real_t t81 = tb_min(tb_max(t79 * (TB_C(1.0) / t80), TB_C(0.0)),
+                TB_TENSION_MAX);
             const real_t t82 = t75 + structure[2] * t81;
             const real_t t83 = t82 - wrench[0];
             const real_t t84 = t78 + structure[5] * t81;
@@ -269,15 +271,15 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
             const bool t94 = (t87 && t92) || (t93 && !t92);
             const bool t95 = (t68 && t70) || (t71 && TB_C(0.0) < t18);
             const bool t96 = (t87 && t95) || (t93 && !t95);
-            const real_t t97 = structure[2] * TB_C(20.0);
+            const real_t t97 = structure[2] * TB_TENSION_MAX;
             const real_t t98 = (t94 ? t67 : TB_C(0.0)) + (t96 ? t97 : TB_C(0.0));
-            const real_t t99 = structure[5] * TB_C(20.0);
+            const real_t t99 = structure[5] * TB_TENSION_MAX;
             const real_t t100 = (t94 ? t76 : TB_C(0.0)) + (t96 ? t99 : TB_C(0.0));
             const real_t t101 = structure[1] * (wrench[0] - t98) + structure[4] * (wrench[1] -
                 t100);
             const real_t t102 = structure[1] * structure[1] + structure[4] * structure[4];
             const real_t t103 = tb_min(tb_max(t101 * (TB_C(1.0) / t102), TB_C(0.0)),
-                TB_C(20.0));
+                TB_TENSION_MAX);
             const real_t t104 = t98 + structure[1] * t103;
             const real_t t105 = t104 - wrench[0];
             const real_t t106 = t100 + structure[4] * t103;
@@ -295,7 +297,7 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
                 t116);
             const real_t t118 = structure[0] * structure[0] + structure[3] * structure[3];
             const real_t t119 = tb_min(tb_max(t117 * (TB_C(1.0) / t118), TB_C(0.0)),
-                TB_C(20.0));
+                TB_TENSION_MAX);
             const real_t t120 = t115 + structure[0] * t119;
             const real_t t121 = t120 - wrench[0];
             const real_t t122 = t116 + structure[3] * t119;
@@ -388,21 +390,21 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         const bool t30 = (t26 && !t28) || (t29 && TB_C(0.0) < t11 - t10);
         const bool t31 = !t24;
         const bool t32 = (t24 && t30) || (t31 && !t30);
-        const real_t t33 = structure[0] * TB_C(20.0);
+        const real_t t33 = structure[0] * TB_TENSION_MAX;
         const bool t34 = t19 <= t25;
         const real_t t35 = structure[1] * structure[2] + structure[4] * structure[5];
         const bool t36 = TB_C(0.0) < t35;
         const bool t37 = !t34;
         const bool t38 = (t34 && !t36) || (t37 && TB_C(0.0) < t17 - t16);
         const bool t39 = (t24 && t38) || (t31 && !t38);
-        const real_t t40 = structure[1] * TB_C(20.0);
+        const real_t t40 = structure[1] * TB_TENSION_MAX;
         const real_t t41 = (t32 ? t33 : TB_C(0.0)) + (t39 ? t40 : TB_C(0.0));
-        const real_t t42 = structure[3] * TB_C(20.0);
-        const real_t t43 = structure[4] * TB_C(20.0);
+        const real_t t42 = structure[3] * TB_TENSION_MAX;
+        const real_t t43 = structure[4] * TB_TENSION_MAX;
         const real_t t44 = (t32 ? t42 : TB_C(0.0)) + (t39 ? t43 : TB_C(0.0));
         const real_t t45 = structure[2] * (wrench[0] - t41) + structure[5] * (wrench[1] - t44);
         const real_t t46 = structure[2] * structure[2] + structure[5] * structure[5];
-        const real_t t47 = tb_min(tb_max(t45 * (TB_C(1.0) / t46), TB_C(0.0)), TB_C(20.0));
+        const real_t t47 = tb_min(tb_max(t45 * (TB_C(1.0) / t46), TB_C(0.0)), TB_TENSION_MAX);
         const real_t t48 = t41 + structure[2] * t47;
         const real_t t49 = t48 - wrench[0];
         const real_t t50 = t44 + structure[5] * t47;
@@ -418,13 +420,13 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         const bool t60 = (t53 && t58) || (t59 && !t58);
         const bool t61 = (t34 && t36) || (t37 && TB_C(0.0) < t18);
         const bool t62 = (t53 && t61) || (t59 && !t61);
-        const real_t t63 = structure[2] * TB_C(20.0);
+        const real_t t63 = structure[2] * TB_TENSION_MAX;
         const real_t t64 = (t60 ? t33 : TB_C(0.0)) + (t62 ? t63 : TB_C(0.0));
-        const real_t t65 = structure[5] * TB_C(20.0);
+        const real_t t65 = structure[5] * TB_TENSION_MAX;
         const real_t t66 = (t60 ? t42 : TB_C(0.0)) + (t62 ? t65 : TB_C(0.0));
         const real_t t67 = structure[1] * (wrench[0] - t64) + structure[4] * (wrench[1] - t66);
         const real_t t68 = structure[1] * structure[1] + structure[4] * structure[4];
-        const real_t t69 = tb_min(tb_max(t67 * (TB_C(1.0) / t68), TB_C(0.0)), TB_C(20.0));
+        const real_t t69 = tb_min(tb_max(t67 * (TB_C(1.0) / t68), TB_C(0.0)), TB_TENSION_MAX);
         const real_t t70 = t64 + structure[1] * t69;
         const real_t t71 = t70 - wrench[0];
         const real_t t72 = t66 + structure[4] * t69;
@@ -440,7 +442,7 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         const real_t t82 = (t78 ? t43 : TB_C(0.0)) + (t80 ? t65 : TB_C(0.0));
         const real_t t83 = structure[0] * (wrench[0] - t81) + structure[3] * (wrench[1] - t82);
         const real_t t84 = structure[0] * structure[0] + structure[3] * structure[3];
-        const real_t t85 = tb_min(tb_max(t83 * (TB_C(1.0) / t84), TB_C(0.0)), TB_C(20.0));
+        const real_t t85 = tb_min(tb_max(t83 * (TB_C(1.0) / t84), TB_C(0.0)), TB_TENSION_MAX);
         const real_t t86 = t81 + structure[0] * t85;
         const real_t t87 = t86 - wrench[0];
         const real_t t88 = t82 + structure[3] * t85;
@@ -580,9 +582,9 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     /* what the tensions exert, S T */
     real_t tension_0, tension_1, tension_2, delivered_0, delivered_1, kkt_residual_0;
     if (t60) {
-        const real_t t61 = tb_min(t53, TB_C(20.0));
-        const real_t t62 = tb_min(t54, TB_C(20.0));
-        const real_t t63 = tb_min(t55, TB_C(20.0));
+        const real_t t61 = tb_min(t53, TB_TENSION_MAX);
+        const real_t t62 = tb_min(t54, TB_TENSION_MAX);
+        const real_t t63 = tb_min(t55, TB_TENSION_MAX);
         const real_t t64 = structure[0] * t61 + structure[1] * t62 + structure[2] * t63;
         const real_t t65 = structure[3] * t61 + structure[4] * t62 + structure[5] * t63;
         tension_0 = t61;
@@ -602,7 +604,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     const real_t t66 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t67 = !(t66 < t29 && t66 < t30);
     const bool t68 = !t60;
-    const bool t69 = TB_C(20.0) < t53 || TB_C(20.0) < t54 || TB_C(20.0) < t55;
+    const bool t69 = TB_TENSION_MAX < t53 || TB_TENSION_MAX < t54 || TB_TENSION_MAX < t55;
     if (t67) {
         return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }

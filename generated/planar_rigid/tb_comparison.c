@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out <this folder>
  * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
 static tb_status tb_refuse_kernel_tension_begin(tb_status status, real_t pivot[1],
@@ -54,13 +55,13 @@ static tb_status tb_kernel_tension_begin(const real_t structure[18], const real_
     const real_t t17 = TB_SQRT(t16);
     const real_t t18 = TB_COPYSIGN(t17, t11);
     const real_t t19 = TB_ABS(t18);
-    const real_t t20 = TB_C(20.033416898825333) * structure[14];
-    const real_t t21 = TB_C(20.033416898825333) * structure[13];
-    const real_t t22 = t6 * (TB_C(20.033416898825333) * structure[12]) + structure[1] * t21;
-    const real_t t23 = TB_C(20.033416898825333) * structure[15];
-    const real_t t24 = TB_C(20.033416898825333) * structure[16];
+    const real_t t20 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t21 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t22 = t6 * (TB_MOMENT_WEIGHT * structure[12]) + structure[1] * t21;
+    const real_t t23 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t24 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t25 = t22 + structure[2] * t20 + structure[3] * t23 + structure[4] * t24;
-    const real_t t26 = TB_C(20.033416898825333) * structure[17];
+    const real_t t26 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t27 = t9 * (t25 + structure[5] * t26);
     const real_t t28 = t20 - structure[2] * t27;
     const real_t t29 = (t11 + t18) * (t21 - structure[1] * t27) + t12 * t28;
@@ -140,17 +141,17 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
     const real_t t39 = TB_SQRT(t38);
     const real_t t40 = t2 ? t30 : TB_C(0.0);
     const real_t t41 = TB_COPYSIGN(t39, t40);
-    const real_t t42 = TB_C(20.033416898825333) * structure[14];
-    const real_t t43 = TB_C(20.033416898825333) * structure[12];
-    const real_t t44 = TB_C(20.033416898825333) * structure[13];
+    const real_t t42 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t43 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t t44 = TB_MOMENT_WEIGHT * structure[13];
     const real_t t45 = t2 ? (t2 ? structure[1] * t44 : TB_C(0.0)) : TB_C(0.0);
     const real_t t46 = t4 ? (t4 ? structure[2] * t42 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t47 = TB_C(20.033416898825333) * structure[15];
+    const real_t t47 = TB_MOMENT_WEIGHT * structure[15];
     const real_t t48 = t6 ? (t6 ? structure[3] * t47 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t49 = TB_C(20.033416898825333) * structure[16];
+    const real_t t49 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t50 = t8 ? (t8 ? structure[4] * t49 : TB_C(0.0)) : TB_C(0.0);
     const real_t t51 = (t0 ? t21 * t43 : TB_C(0.0)) + t45 + t46 + t48 + t50;
-    const real_t t52 = TB_C(20.033416898825333) * structure[17];
+    const real_t t52 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t53 = t10 ? (t10 ? structure[5] * t52 : TB_C(0.0)) : TB_C(0.0);
     const real_t t54 = t28 * (t51 + t53);
     const real_t t55 = t42 - structure[2] * t54;
@@ -180,18 +181,18 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
     const bool t77 = TB_C(0.0) <= moving[0];
     const real_t t78 = TB_C(1.0) / t20;
     const real_t t79 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t80 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t81 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t82 = structure[0] * t79 + structure[1] * t80 + structure[2] * t81;
     const real_t t83 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t84 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t85 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t86 = t82 + structure[3] * t83 + structure[4] * t84 + structure[5] * t85;
     const real_t t87 = (wrench[0] - t86) * t78;
     const real_t t88 = (t0 ? structure[6] : TB_C(0.0)) - t21 * t29;
@@ -201,7 +202,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
     const real_t t92 = (wrench[1] - t91 + t87 * t88) * t89;
     const real_t t93 = (t2 ? t57 : TB_C(0.0)) - t56 * t65;
     const real_t t94 = TB_C(1.0) / t73;
-    const real_t t95 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t95 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t96 = t43 * t79 + t44 * t80 + t42 * t81 + t47 * t83 + t49 * t84;
     const real_t t97 = (t0 ? t43 : TB_C(0.0)) - t21 * t54;
     const real_t t98 = (t95 - (t96 + t52 * t85) + t87 * t97 + t92 * t93) * t94;
@@ -209,22 +210,22 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
     const real_t t100 = t89 * (t92 + t93 * t99);
     const real_t t101 = t78 * (t87 + t88 * t100 + t97 * t99);
     const real_t t102 = structure[3] * t101 + structure[9] * t100 + t47 * t99;
-    const real_t t103 = tb_max(TB_C(3.0) - t102, t102 - TB_C(1000000000000.0));
+    const real_t t103 = tb_max(TB_TENSION_MIN - t102, t102 - TB_C(1000000000000.0));
     const real_t t104 = TB_C(0.0) < t7 ? t103 : -TB_C(1.0);
     const real_t t105 = structure[4] * t101 + structure[10] * t100 + t49 * t99;
-    const real_t t106 = tb_max(TB_C(3.0) - t105, t105 - TB_C(1000000000000.0));
+    const real_t t106 = tb_max(TB_TENSION_MIN - t105, t105 - TB_C(1000000000000.0));
     const real_t t107 = TB_C(0.0) < t9 ? t106 : -TB_C(1.0);
     const real_t t108 = structure[5] * t101 + structure[11] * t100 + t52 * t99;
-    const real_t t109 = tb_max(TB_C(3.0) - t108, t108 - TB_C(1000000000000.0));
+    const real_t t109 = tb_max(TB_TENSION_MIN - t108, t108 - TB_C(1000000000000.0));
     const real_t t110 = TB_C(0.0) < t11 ? t109 : -TB_C(1.0);
     const real_t t111 = structure[0] * t101 + structure[6] * t100 + t43 * t99;
-    const real_t t112 = tb_max(TB_C(3.0) - t111, t111 - TB_C(1000000000000.0));
+    const real_t t112 = tb_max(TB_TENSION_MIN - t111, t111 - TB_C(1000000000000.0));
     const real_t t113 = TB_C(0.0) < t1 ? t112 : -TB_C(1.0);
     const real_t t114 = structure[1] * t101 + structure[7] * t100 + t44 * t99;
-    const real_t t115 = tb_max(TB_C(3.0) - t114, t114 - TB_C(1000000000000.0));
+    const real_t t115 = tb_max(TB_TENSION_MIN - t114, t114 - TB_C(1000000000000.0));
     const real_t t116 = TB_C(0.0) < t3 ? t115 : -TB_C(1.0);
     const real_t t117 = structure[2] * t101 + structure[8] * t100 + t42 * t99;
-    const real_t t118 = tb_max(TB_C(3.0) - t117, t117 - TB_C(1000000000000.0));
+    const real_t t118 = tb_max(TB_TENSION_MIN - t117, t117 - TB_C(1000000000000.0));
     const real_t t119 = TB_C(0.0) < t5 ? t118 : -TB_C(1.0);
     real_t t120, t121, t122, t123, t124, t125;
     if (t77) {
@@ -320,7 +321,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
     const bool t173 = t172 < TB_C(500000000001.5);
     real_t t174;
     if (t171) {
-        const real_t t175 = t173 ? TB_C(3.0) - t172 : t172 - TB_C(1000000000000.0);
+        const real_t t175 = t173 ? TB_TENSION_MIN - t172 : t172 - TB_C(1000000000000.0);
         t174 = tb_max(t175, TB_C(0.0)) * (TB_C(1.0) / t170);
     } else {
         t174 = TB_C(1e+30);
@@ -379,7 +380,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[18], const real_t
     const bool t197 = t174 <= t196;
     const real_t t198 = tb_max(tb_max(tb_max(tb_max(t113, t116), t119), t104), t107);
     const real_t t199 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t95);
-    const real_t t200 = t75 * (TB_EPSILON * TB_C(8.0) * (TB_C(3.0) + t199));
+    const real_t t200 = t75 * (TB_EPSILON * TB_C(8.0) * (TB_TENSION_MIN + t199));
     const bool t201 = (!t77 && tb_max(t198, t110) <= t200) || !(tb_min(t174, t196) <
         TB_C(1e+30));
     const real_t t202 = t197 && !t201 ? t129 : -TB_C(1.0);
@@ -434,18 +435,18 @@ static tb_status tb_kernel_tension_finish(const real_t structure[18], const real
     const real_t pivot[1], const real_t side[6], real_t tension[6])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t1 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t2 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t3 = t0 * structure[0] + structure[1] * t1 + structure[2] * t2;
     const real_t t4 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t5 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t6 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t7 = t3 + structure[3] * t4 + structure[4] * t5 + structure[5] * t6;
     const real_t t8 = wrench[0] - t7;
     const bool t9 = TB_C(0.0) == side[0];
@@ -493,17 +494,17 @@ static tb_status tb_kernel_tension_finish(const real_t structure[18], const real
     const real_t t50 = TB_COPYSIGN(t48, t49);
     const real_t t51 = TB_C(1.0) / t50;
     const real_t t52 = (t38 + t25 * t35) * t51;
-    const real_t t53 = TB_C(20.033416898825333) * structure[13];
-    const real_t t54 = TB_C(20.033416898825333) * structure[12];
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t54 = TB_MOMENT_WEIGHT * structure[12];
     const real_t t55 = t11 ? (t11 ? structure[1] * t53 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t56 = TB_C(20.033416898825333) * structure[14];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[14];
     const real_t t57 = t13 ? (t13 ? structure[2] * t56 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t58 = TB_C(20.033416898825333) * structure[15];
+    const real_t t58 = TB_MOMENT_WEIGHT * structure[15];
     const real_t t59 = t15 ? (t15 ? structure[3] * t58 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t60 = TB_C(20.033416898825333) * structure[16];
+    const real_t t60 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t61 = t17 ? (t17 ? structure[4] * t60 : TB_C(0.0)) : TB_C(0.0);
     const real_t t62 = (t9 ? t26 * t54 : TB_C(0.0)) + t55 + t57 + t59 + t61;
-    const real_t t63 = TB_C(20.033416898825333) * structure[17];
+    const real_t t63 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t64 = t19 ? (t19 ? structure[5] * t63 : TB_C(0.0)) : TB_C(0.0);
     const real_t t65 = t33 * (t62 + t64);
     const real_t t66 = t53 - structure[1] * t65;
@@ -519,7 +520,7 @@ static tb_status tb_kernel_tension_finish(const real_t structure[18], const real
     const real_t t75 = t73 + (t19 ? (t19 ? t46 * t74 : TB_C(0.0)) : TB_C(0.0));
     const real_t t76 = t75 * (TB_C(1.0) / (t48 * (t48 + TB_ABS(t49))));
     const real_t t77 = (t11 ? t66 : TB_C(0.0)) - t67 * t76;
-    const real_t t78 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t78 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t79 = t0 * t54 + t1 * t53 + t2 * t56 + t4 * t58 + t5 * t60;
     const real_t t80 = t78 - (t79 + t6 * t63);
     const real_t t81 = (t9 ? t54 : TB_C(0.0)) - t26 * t65;
@@ -580,15 +581,15 @@ static tb_status tb_kernel_tension_finish(const real_t structure[18], const real
     const real_t t129 = tb_min(tb_min(TB_ABS(t23), TB_ABS(t50)), TB_ABS(t89));
     const real_t t130 = tb_max(TB_C(0.0), t128) * tb_min(TB_C(1.0), t129);
     const real_t t131 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t78);
-    const real_t t132 = TB_C(3.0) + t131;
+    const real_t t132 = TB_TENSION_MIN + t131;
     const real_t t133 = tb_max(tb_max(TB_ABS(t93), TB_ABS(t92)), TB_ABS(t91));
-    const real_t t134 = tb_min(tb_max(t9 ? t115 : t0, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t135 = tb_min(tb_max(t11 ? t117 : t1, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t136 = tb_min(tb_max(t13 ? t120 : t2, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t134 = tb_min(tb_max(t9 ? t115 : t0, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t135 = tb_min(tb_max(t11 ? t117 : t1, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t136 = tb_min(tb_max(t13 ? t120 : t2, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t137 = structure[0] * t134 + structure[1] * t135 + structure[2] * t136;
-    const real_t t138 = tb_min(tb_max(t15 ? t122 : t4, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t139 = tb_min(tb_max(t17 ? t125 : t5, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t140 = tb_min(tb_max(t19 ? t127 : t6, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t138 = tb_min(tb_max(t15 ? t122 : t4, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t139 = tb_min(tb_max(t17 ? t125 : t5, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t140 = tb_min(tb_max(t19 ? t127 : t6, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t141 = t137 + structure[3] * t138 + structure[4] * t139 + structure[5] * t140;
     const real_t t142 = tb_max(t130 * t132 * (TB_C(1.0) / tb_max(t132, t133)), TB_ABS(t141 -
         wrench[0]));
@@ -601,12 +602,12 @@ static tb_status tb_kernel_tension_finish(const real_t structure[18], const real
     const real_t t149 = TB_C(128.0) * TB_EPSILON * tb_max(t148, t140) * (TB_C(1.0) / pivot[0]);
     const bool t150 = t147 <= tb_min(t149, TB_C(0.01));
     const bool t151 = !t150;
-    const real_t tension_0 = t150 ? t134 : TB_C(3.0);
-    const real_t tension_1 = t150 ? t135 : TB_C(3.0);
-    const real_t tension_2 = t150 ? t136 : TB_C(3.0);
-    const real_t tension_3 = t150 ? t138 : TB_C(3.0);
-    const real_t tension_4 = t150 ? t139 : TB_C(3.0);
-    const real_t tension_5 = t150 ? t140 : TB_C(3.0);
+    const real_t tension_0 = t150 ? t134 : TB_TENSION_MIN;
+    const real_t tension_1 = t150 ? t135 : TB_TENSION_MIN;
+    const real_t tension_2 = t150 ? t136 : TB_TENSION_MIN;
+    const real_t tension_3 = t150 ? t138 : TB_TENSION_MIN;
+    const real_t tension_4 = t150 ? t139 : TB_TENSION_MIN;
+    const real_t tension_5 = t150 ? t140 : TB_TENSION_MIN;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -632,12 +633,12 @@ tb_status tb_kernel_tension(const real_t structure[18], const real_t wrench[3],
         status = TB_INACCURATE;
     }
     if (status != TB_OK) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        tension[4] = TB_C(3.0);
-        tension[5] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
         return status;
     }
     return tb_kernel_tension_finish(structure, wrench, pivot, side, tension);
@@ -685,20 +686,20 @@ static tb_status tb_reduced_matrix_tension_begin(const real_t structure[18], con
         cables[2] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
-    const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
-    const real_t weighed_14 = TB_C(20.033416898825333) * structure[14];
-    const real_t weighed_15 = TB_C(20.033416898825333) * structure[15];
-    const real_t weighed_16 = TB_C(20.033416898825333) * structure[16];
-    const real_t weighed_17 = TB_C(20.033416898825333) * structure[17];
+    const real_t weighed_12 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t weighed_13 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t weighed_14 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t weighed_15 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t weighed_16 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t weighed_17 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t0 = structure[3] + (structure[2] + (structure[0] + structure[1]));
-    const real_t rest_0 = wrench[0] - TB_C(3.0) * (structure[5] + (structure[4] + t0));
+    const real_t rest_0 = wrench[0] - TB_TENSION_MIN * (structure[5] + (structure[4] + t0));
     const real_t t1 = structure[9] + (structure[8] + (structure[6] + structure[7]));
-    const real_t t2 = TB_C(3.0) * (structure[11] + (structure[10] + t1));
+    const real_t t2 = TB_TENSION_MIN * (structure[11] + (structure[10] + t1));
     const real_t rest_1 = wrench[1] - t2;
     const real_t t3 = structure[15] + (structure[14] + (structure[12] + structure[13]));
-    const real_t t4 = TB_C(3.0) * (structure[17] + (structure[16] + t3));
-    const real_t rest_2 = TB_C(20.033416898825333) * (wrench[2] - t4);
+    const real_t t4 = TB_TENSION_MIN * (structure[17] + (structure[16] + t3));
+    const real_t rest_2 = TB_MOMENT_WEIGHT * (wrench[2] - t4);
     weighed[0] = structure[0];
     weighed[1] = structure[1];
     weighed[2] = structure[2];
@@ -780,22 +781,22 @@ static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const r
     const real_t t2 = (cables[0] == TB_C(0.0) ? t0 : TB_C(0.0)) + (TB_C(0.0) == cables[1] ? t1
         : TB_C(0.0));
     const real_t t3 = tb_max(best[2], TB_C(0.0));
-    const real_t tension_0 = TB_C(3.0) + (t2 + (TB_C(0.0) == cables[2] ? t3 : TB_C(0.0)));
+    const real_t tension_0 = TB_TENSION_MIN + (t2 + (TB_C(0.0) == cables[2] ? t3 : TB_C(0.0)));
     const real_t t4 = (cables[0] == TB_C(1.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(1.0) ? t1
         : TB_C(0.0));
-    const real_t tension_1 = TB_C(3.0) + (t4 + (cables[2] == TB_C(1.0) ? t3 : TB_C(0.0)));
+    const real_t tension_1 = TB_TENSION_MIN + (t4 + (cables[2] == TB_C(1.0) ? t3 : TB_C(0.0)));
     const real_t t5 = (cables[0] == TB_C(2.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(2.0) ? t1
         : TB_C(0.0));
-    const real_t tension_2 = TB_C(3.0) + (t5 + (cables[2] == TB_C(2.0) ? t3 : TB_C(0.0)));
+    const real_t tension_2 = TB_TENSION_MIN + (t5 + (cables[2] == TB_C(2.0) ? t3 : TB_C(0.0)));
     const real_t t6 = (TB_C(3.0) == cables[0] ? t0 : TB_C(0.0)) + (TB_C(3.0) == cables[1] ? t1
         : TB_C(0.0));
-    const real_t tension_3 = TB_C(3.0) + (t6 + (TB_C(3.0) == cables[2] ? t3 : TB_C(0.0)));
+    const real_t tension_3 = TB_TENSION_MIN + (t6 + (TB_C(3.0) == cables[2] ? t3 : TB_C(0.0)));
     const real_t t7 = (cables[0] == TB_C(4.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(4.0) ? t1
         : TB_C(0.0));
-    const real_t tension_4 = TB_C(3.0) + (t7 + (cables[2] == TB_C(4.0) ? t3 : TB_C(0.0)));
+    const real_t tension_4 = TB_TENSION_MIN + (t7 + (cables[2] == TB_C(4.0) ? t3 : TB_C(0.0)));
     const real_t t8 = (cables[0] == TB_C(5.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(5.0) ? t1
         : TB_C(0.0));
-    const real_t tension_5 = TB_C(3.0) + (t8 + (cables[2] == TB_C(5.0) ? t3 : TB_C(0.0)));
+    const real_t tension_5 = TB_TENSION_MIN + (t8 + (cables[2] == TB_C(5.0) ? t3 : TB_C(0.0)));
     const bool t9 = !(least[0] < TB_C(1e+30));
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -820,12 +821,12 @@ tb_status tb_reduced_matrix_tension(const real_t structure[18], const real_t wre
     const tb_status status = tb_reduced_matrix_tension_begin(structure, wrench, weighed, rest,
         least, best, cables);
     if (status != TB_OK) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        tension[4] = TB_C(3.0);
-        tension[5] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
         return status;
     }
     for (int k = 0; k < 20; k++) {
@@ -890,12 +891,12 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[18], cons
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
         return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, weighed, most, least, size);
     }
-    const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
-    const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
-    const real_t weighed_14 = TB_C(20.033416898825333) * structure[14];
-    const real_t weighed_15 = TB_C(20.033416898825333) * structure[15];
-    const real_t weighed_16 = TB_C(20.033416898825333) * structure[16];
-    const real_t weighed_17 = TB_C(20.033416898825333) * structure[17];
+    const real_t weighed_12 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t weighed_13 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t weighed_14 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t weighed_15 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t weighed_16 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t weighed_17 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -1132,12 +1133,12 @@ static tb_status tb_largest_tension_begin(const real_t structure[18], const real
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(10000.0))) {
         return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, weighed, most, size);
     }
-    const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
-    const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
-    const real_t weighed_14 = TB_C(20.033416898825333) * structure[14];
-    const real_t weighed_15 = TB_C(20.033416898825333) * structure[15];
-    const real_t weighed_16 = TB_C(20.033416898825333) * structure[16];
-    const real_t weighed_17 = TB_C(20.033416898825333) * structure[17];
+    const real_t weighed_12 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t weighed_13 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t weighed_14 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t weighed_15 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t weighed_16 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t weighed_17 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -1196,7 +1197,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[18], const real
     weighed[15] = weighed_15;
     weighed[16] = weighed_16;
     weighed[17] = weighed_17;
-    most[0] = TB_C(3.0);
+    most[0] = TB_TENSION_MIN;
     size[0] = force[0];
     return TB_OK;
 }
@@ -1245,14 +1246,14 @@ static tb_status tb_largest_tension_visit(const real_t chosen[6], const real_t n
         const real_t t35 = (t33 + t34) * TB_C(0.5);
         const real_t t36 = size[0] * TB_SQRT(t12 * t12 + t13 * t13);
         const real_t t37 = TB_C(0.5) * (t33 - t34);
-        const real_t t38 = t36 + TB_C(3.0) * t37;
+        const real_t t38 = t36 + TB_TENSION_MIN * t37;
         real_t t39;
         if (t9 < t35) {
             t39 = t38 / t35;
         } else {
             t39 = t9 < t38 ? TB_C(1e+30) : TB_C(0.0);
         }
-        const real_t t40 = t36 + TB_C(3.0) * t35;
+        const real_t t40 = t36 + TB_TENSION_MIN * t35;
         real_t t41;
         if (t9 < t37) {
             t41 = t40 / t37;

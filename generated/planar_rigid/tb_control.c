@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out <this folder>
  * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[6], real_t torque[6])
 {
@@ -15,12 +16,12 @@ tb_status tb_motor_torques(const real_t tension[6], real_t torque[6])
         torque[5] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
-    const real_t torque_3 = TB_C(0.005) * tension[3];
-    const real_t torque_4 = TB_C(0.005) * tension[4];
-    const real_t torque_5 = TB_C(0.005) * tension[5];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
+    const real_t torque_3 = TB_DRUM_RADIUS * tension[3];
+    const real_t torque_4 = TB_DRUM_RADIUS * tension[4];
+    const real_t torque_5 = TB_DRUM_RADIUS * tension[5];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;
@@ -50,12 +51,12 @@ tb_status tb_wall_force(const real_t pose[3], const real_t velocity[3], real_t f
 /* Refuses with a status: load is 3 N. */
 static tb_status tb_refuse_load_tension(tb_status status, real_t load[6])
 {
-    load[0] = TB_C(3.0);
-    load[1] = TB_C(3.0);
-    load[2] = TB_C(3.0);
-    load[3] = TB_C(3.0);
-    load[4] = TB_C(3.0);
-    load[5] = TB_C(3.0);
+    load[0] = TB_TENSION_MIN;
+    load[1] = TB_TENSION_MIN;
+    load[2] = TB_TENSION_MIN;
+    load[3] = TB_TENSION_MIN;
+    load[4] = TB_TENSION_MIN;
+    load[5] = TB_TENSION_MIN;
     return status;
 }
 
@@ -96,13 +97,13 @@ tb_status tb_load_tension(const real_t structure[18], const real_t tension[6],
     const real_t t18 = t17 + structure[10] * structure[10] + structure[11] * structure[11];
     const real_t t19 = t18 - t5 * (t7 * t7);
     const real_t t20 = TB_C(1.0) / t19;
-    const real_t t21 = structure[12] * TB_C(20.033416898825333);
-    const real_t t22 = TB_C(20.033416898825333) * structure[13];
-    const real_t t23 = TB_C(20.033416898825333) * structure[14];
+    const real_t t21 = structure[12] * TB_MOMENT_WEIGHT;
+    const real_t t22 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t23 = TB_MOMENT_WEIGHT * structure[14];
     const real_t t24 = structure[6] * t21 + structure[7] * t22 + structure[8] * t23;
-    const real_t t25 = TB_C(20.033416898825333) * structure[15];
-    const real_t t26 = TB_C(20.033416898825333) * structure[16];
-    const real_t t27 = TB_C(20.033416898825333) * structure[17];
+    const real_t t25 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t26 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t t27 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t28 = t24 + structure[9] * t25 + structure[10] * t26 + structure[11] * t27;
     const real_t t29 = structure[0] * t21 + structure[1] * t22 + structure[2] * t23;
     const real_t t30 = t29 + structure[3] * t25 + structure[4] * t26 + structure[5] * t27;
@@ -111,7 +112,7 @@ tb_status tb_load_tension(const real_t structure[18], const real_t tension[6],
     const real_t t33 = tension[0] * structure[12] + tension[1] * structure[13];
     const real_t t34 = t33 + tension[2] * structure[14] + tension[3] * structure[15];
     const real_t t35 = t34 + tension[4] * structure[16] + tension[5] * structure[17];
-    const real_t t36 = t11 * t31 - TB_C(20.033416898825333) * (hand_force[2] + t35);
+    const real_t t36 = t11 * t31 - TB_MOMENT_WEIGHT * (hand_force[2] + t35);
     const real_t t37 = t21 * t21 + t22 * t22 + t23 * t23 + t25 * t25 + t26 * t26;
     const real_t t38 = t37 + t27 * t27 - t5 * (t31 * t31) - t19 * (t32 * t32);
     const real_t t39 = (t36 - t15 * t32) / t38;
@@ -186,16 +187,16 @@ tb_status tb_base_targets(const real_t pose[3], real_t target[6])
     const real_t t18 = -TB_C(0.04) * t17;
     const real_t t19 = t16 * (t8 * TB_C(2.0));
     const real_t t20 = -TB_C(0.025) * t19;
-    const real_t target_0 = tb_min(tb_max(pose[0] + (t18 - t20), TB_C(0.0)), TB_C(0.7118));
+    const real_t target_0 = tb_min(tb_max(pose[0] + (t18 - t20), TB_C(0.0)), TB_FRAME_X);
     const real_t t21 = t17 * TB_C(0.04);
-    const real_t target_1 = tb_min(tb_max(pose[0] + (t21 - t20), TB_C(0.0)), TB_C(0.7118));
-    const real_t target_2 = tb_min(tb_max(pose[1] + t19 * TB_C(0.055), TB_C(0.0)),
-        TB_C(0.4618));
+    const real_t target_1 = tb_min(tb_max(pose[0] + (t21 - t20), TB_C(0.0)), TB_FRAME_X);
+    const real_t target_2 = tb_min(tb_max(pose[1] + t19 * TB_LONGEST_ARM, TB_C(0.0)),
+        TB_FRAME_Y);
     const real_t t22 = t19 * TB_C(0.025);
-    const real_t target_3 = tb_min(tb_max(pose[0] + (t21 - t22), TB_C(0.0)), TB_C(0.7118));
-    const real_t target_4 = tb_min(tb_max(pose[0] + (t18 - t22), TB_C(0.0)), TB_C(0.7118));
-    const real_t target_5 = tb_min(tb_max(pose[1] + t19 * -TB_C(0.055), TB_C(0.0)),
-        TB_C(0.4618));
+    const real_t target_3 = tb_min(tb_max(pose[0] + (t21 - t22), TB_C(0.0)), TB_FRAME_X);
+    const real_t target_4 = tb_min(tb_max(pose[0] + (t18 - t22), TB_C(0.0)), TB_FRAME_X);
+    const real_t target_5 = tb_min(tb_max(pose[1] + t19 * TB_ANCHOR_6_X, TB_C(0.0)),
+        TB_FRAME_Y);
     target[0] = target_0;
     target[1] = target_1;
     target[2] = target_2;
@@ -209,51 +210,53 @@ tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const rea
     real_t next_memory[18], real_t force[6])
 {
     const real_t t0 = target[0] - measured[0];
-    const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
-    const real_t next_memory_2 = memory[2] + TB_C(0.7153904566639707) * t1;
-    const real_t t2 = TB_C(11000.0) * t0 + memory[0] - TB_C(140.0) * next_memory_2;
-    const bool t3 = (TB_C(60.0) < t2 && TB_C(0.0) < t0) || (t2 < -TB_C(60.0) && t0 < TB_C(0.0));
-    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_C(30.0);
+    const real_t t1 = (measured[0] - memory[1]) * TB_CONTROL_RATE - memory[2];
+    const real_t next_memory_2 = memory[2] + TB_RAIL_SPEED_GAIN * t1;
+    const real_t t2 = TB_RAIL_STIFFNESS * t0 + memory[0] - TB_RAIL_DAMPING * next_memory_2;
+    const bool t3 = (TB_RAIL_FORCE_LIMIT < t2 && TB_C(0.0) < t0) || (t2 < -TB_RAIL_FORCE_LIMIT
+        && t0 < TB_C(0.0));
+    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_RAIL_INTEGRAL_STEP;
     const real_t t4 = target[1] - measured[1];
-    const real_t t5 = TB_C(1000.0) * (measured[1] - memory[4]) - memory[5];
-    const real_t next_memory_5 = memory[5] + TB_C(0.7153904566639707) * t5;
-    const real_t t6 = TB_C(11000.0) * t4 + memory[3] - TB_C(140.0) * next_memory_5;
-    const bool t7 = (TB_C(60.0) < t6 && TB_C(0.0) < t4) || (t6 < -TB_C(60.0) && t4 < TB_C(0.0));
-    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_C(30.0) * t4;
+    const real_t t5 = TB_CONTROL_RATE * (measured[1] - memory[4]) - memory[5];
+    const real_t next_memory_5 = memory[5] + TB_RAIL_SPEED_GAIN * t5;
+    const real_t t6 = TB_RAIL_STIFFNESS * t4 + memory[3] - TB_RAIL_DAMPING * next_memory_5;
+    const bool t7 = (TB_RAIL_FORCE_LIMIT < t6 && TB_C(0.0) < t4) || (t6 < -TB_RAIL_FORCE_LIMIT
+        && t4 < TB_C(0.0));
+    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_RAIL_INTEGRAL_STEP * t4;
     const real_t t8 = target[2] - measured[2];
-    const real_t t9 = TB_C(1000.0) * (measured[2] - memory[7]) - memory[8];
-    const real_t next_memory_8 = memory[8] + TB_C(0.7153904566639707) * t9;
-    const real_t t10 = TB_C(11000.0) * t8 + memory[6] - TB_C(140.0) * next_memory_8;
-    const bool t11 = (TB_C(60.0) < t10 && TB_C(0.0) < t8) || (t10 < -TB_C(60.0) && t8 <
-        TB_C(0.0));
-    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_C(30.0) * t8;
+    const real_t t9 = TB_CONTROL_RATE * (measured[2] - memory[7]) - memory[8];
+    const real_t next_memory_8 = memory[8] + TB_RAIL_SPEED_GAIN * t9;
+    const real_t t10 = TB_RAIL_STIFFNESS * t8 + memory[6] - TB_RAIL_DAMPING * next_memory_8;
+    const bool t11 = (TB_RAIL_FORCE_LIMIT < t10 && TB_C(0.0) < t8) || (t10 <
+        -TB_RAIL_FORCE_LIMIT && t8 < TB_C(0.0));
+    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_RAIL_INTEGRAL_STEP * t8;
     const real_t t12 = target[3] - measured[3];
-    const real_t t13 = TB_C(1000.0) * (measured[3] - memory[10]) - memory[11];
-    const real_t next_memory_11 = memory[11] + TB_C(0.7153904566639707) * t13;
-    const real_t t14 = TB_C(11000.0) * t12 + memory[9] - TB_C(140.0) * next_memory_11;
-    const bool t15 = (TB_C(60.0) < t14 && TB_C(0.0) < t12) || (t14 < -TB_C(60.0) && t12 <
-        TB_C(0.0));
-    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_C(30.0) * t12;
+    const real_t t13 = TB_CONTROL_RATE * (measured[3] - memory[10]) - memory[11];
+    const real_t next_memory_11 = memory[11] + TB_RAIL_SPEED_GAIN * t13;
+    const real_t t14 = TB_RAIL_STIFFNESS * t12 + memory[9] - TB_RAIL_DAMPING * next_memory_11;
+    const bool t15 = (TB_RAIL_FORCE_LIMIT < t14 && TB_C(0.0) < t12) || (t14 <
+        -TB_RAIL_FORCE_LIMIT && t12 < TB_C(0.0));
+    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_RAIL_INTEGRAL_STEP * t12;
     const real_t t16 = target[4] - measured[4];
-    const real_t t17 = TB_C(1000.0) * (measured[4] - memory[13]) - memory[14];
-    const real_t next_memory_14 = memory[14] + TB_C(0.7153904566639707) * t17;
-    const real_t t18 = TB_C(11000.0) * t16 + memory[12] - TB_C(140.0) * next_memory_14;
-    const bool t19 = (TB_C(60.0) < t18 && TB_C(0.0) < t16) || (t18 < -TB_C(60.0) && t16 <
-        TB_C(0.0));
-    const real_t next_memory_12 = t19 ? memory[12] : memory[12] + TB_C(30.0) * t16;
+    const real_t t17 = TB_CONTROL_RATE * (measured[4] - memory[13]) - memory[14];
+    const real_t next_memory_14 = memory[14] + TB_RAIL_SPEED_GAIN * t17;
+    const real_t t18 = TB_RAIL_STIFFNESS * t16 + memory[12] - TB_RAIL_DAMPING * next_memory_14;
+    const bool t19 = (TB_RAIL_FORCE_LIMIT < t18 && TB_C(0.0) < t16) || (t18 <
+        -TB_RAIL_FORCE_LIMIT && t16 < TB_C(0.0));
+    const real_t next_memory_12 = t19 ? memory[12] : memory[12] + TB_RAIL_INTEGRAL_STEP * t16;
     const real_t t20 = target[5] - measured[5];
-    const real_t t21 = TB_C(1000.0) * (measured[5] - memory[16]) - memory[17];
-    const real_t next_memory_17 = memory[17] + TB_C(0.7153904566639707) * t21;
-    const real_t t22 = TB_C(11000.0) * t20 + memory[15] - TB_C(140.0) * next_memory_17;
-    const bool t23 = (TB_C(60.0) < t22 && TB_C(0.0) < t20) || (t22 < -TB_C(60.0) && t20 <
-        TB_C(0.0));
-    const real_t next_memory_15 = t23 ? memory[15] : memory[15] + TB_C(30.0) * t20;
-    const real_t force_0 = tb_min(tb_max(t2, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_1 = tb_min(tb_max(t6, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_2 = tb_min(tb_max(t10, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_3 = tb_min(tb_max(t14, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_4 = tb_min(tb_max(t18, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_5 = tb_min(tb_max(t22, -TB_C(60.0)), TB_C(60.0));
+    const real_t t21 = TB_CONTROL_RATE * (measured[5] - memory[16]) - memory[17];
+    const real_t next_memory_17 = memory[17] + TB_RAIL_SPEED_GAIN * t21;
+    const real_t t22 = TB_RAIL_STIFFNESS * t20 + memory[15] - TB_RAIL_DAMPING * next_memory_17;
+    const bool t23 = (TB_RAIL_FORCE_LIMIT < t22 && TB_C(0.0) < t20) || (t22 <
+        -TB_RAIL_FORCE_LIMIT && t20 < TB_C(0.0));
+    const real_t next_memory_15 = t23 ? memory[15] : memory[15] + TB_RAIL_INTEGRAL_STEP * t20;
+    const real_t force_0 = tb_min(tb_max(t2, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_1 = tb_min(tb_max(t6, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_2 = tb_min(tb_max(t10, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_3 = tb_min(tb_max(t14, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_4 = tb_min(tb_max(t18, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_5 = tb_min(tb_max(t22, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
     const bool t24 = TB_ABS(t2) <= TB_C(1000000000.0) && TB_ABS(t6) <= TB_C(1000000000.0);
     const bool t25 = t24 && TB_ABS(t10) <= TB_C(1000000000.0) && TB_ABS(t14) <=
         TB_C(1000000000.0);

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out <this folder>
  * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -34,5 +34,22 @@
 
 #define TB_HAS_OBSERVER 0
 #define TB_HAND_FORCE_MEASURED 0
+
+#define TB_TENSION_MIDDLE TB_C(6.5) /* N, middle of the bounds */
+#define TB_TENSION_HALF_RANGE TB_C(3.5) /* N, from the middle to a bound */
+
+#define TB_CONTROL_RATE TB_C(1000.0) /* Hz */
+
+#define TB_RAIL_STIFFNESS TB_C(11000.0) /* N/m */
+#define TB_RAIL_DAMPING TB_C(140.0) /* N s/m */
+#define TB_RAIL_INTEGRAL_STEP TB_C(30.0) /* N/m, of one cycle */
+#define TB_RAIL_SPEED_GAIN TB_C(0.7153904566639707) /* low-pass of a base's speed */
+
+#define TB_FRAME_X TB_C(0.7118) /* m, side of the frame */
+#define TB_FRAME_Y TB_C(0.4618) /* m, side of the frame */
+#define TB_LEVER TB_C(0.049916597106239795) /* m, root mean square of the anchors' distances */
+#define TB_MOMENT_WEIGHT TB_C(20.033416898825333) /* 1/m, of moments in norms of wrenches */
+
+#define TB_ANCHOR_6_X (-TB_C(0.055)) /* m, anchor of cable 6 */
 
 #endif

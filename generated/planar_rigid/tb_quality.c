@@ -1,19 +1,20 @@
-/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out <this folder>
  * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Before the first subset. */
 static tb_status tb_balance_begin(const real_t structure[18], real_t weighed[18], real_t margin[1])
 {
-    const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
-    const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
-    const real_t weighed_14 = TB_C(20.033416898825333) * structure[14];
-    const real_t weighed_15 = TB_C(20.033416898825333) * structure[15];
-    const real_t weighed_16 = TB_C(20.033416898825333) * structure[16];
-    const real_t weighed_17 = TB_C(20.033416898825333) * structure[17];
+    const real_t weighed_12 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t weighed_13 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t weighed_14 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t weighed_15 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t weighed_16 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t weighed_17 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -133,8 +134,9 @@ static tb_status tb_balance_visit(const real_t chosen[6], const real_t numbers[2
         const bool t29 = (numbers[0] == TB_C(5.0)) || (numbers[1] == TB_C(5.0));
         const real_t t30 = t11 * weighed[5] + t12 * weighed[11] + t13 * weighed[17];
         const real_t t31 = t29 ? TB_C(0.0) : t30;
-        const real_t t32 = TB_C(6.5) * (t31 + (t28 + (t24 + (t21 + (t15 + t18)))));
-        const real_t t33 = TB_C(3.5) * (t25 + TB_ABS(t28) + TB_ABS(t31)) - TB_ABS(t32);
+        const real_t t32 = TB_TENSION_MIDDLE * (t31 + (t28 + (t24 + (t21 + (t15 + t18)))));
+        const real_t t33 = TB_TENSION_HALF_RANGE * (t25 + TB_ABS(t28) + TB_ABS(t31)) -
+            TB_ABS(t32);
         margin_0 = tb_min(margin[0], t33);
     } else {
         margin_0 = margin[0];
@@ -190,12 +192,12 @@ static tb_status tb_balance(const real_t structure[18], real_t balanced[1], real
 static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[6], real_t tension[6])
 {
     const bool t0 = TB_C(0.0) < balanced[0];
-    const real_t tension_0 = t0 ? rest[0] : TB_C(3.0);
-    const real_t tension_1 = t0 ? rest[1] : TB_C(3.0);
-    const real_t tension_2 = t0 ? rest[2] : TB_C(3.0);
-    const real_t tension_3 = t0 ? rest[3] : TB_C(3.0);
-    const real_t tension_4 = t0 ? rest[4] : TB_C(3.0);
-    const real_t tension_5 = t0 ? rest[5] : TB_C(3.0);
+    const real_t tension_0 = t0 ? rest[0] : TB_TENSION_MIN;
+    const real_t tension_1 = t0 ? rest[1] : TB_TENSION_MIN;
+    const real_t tension_2 = t0 ? rest[2] : TB_TENSION_MIN;
+    const real_t tension_3 = t0 ? rest[3] : TB_TENSION_MIN;
+    const real_t tension_4 = t0 ? rest[4] : TB_TENSION_MIN;
+    const real_t tension_5 = t0 ? rest[5] : TB_TENSION_MIN;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -208,12 +210,12 @@ static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[
 /* Refuses with a status: tension is 3 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[6])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
-    tension[4] = TB_C(3.0);
-    tension[5] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
+    tension[4] = TB_TENSION_MIN;
+    tension[5] = TB_TENSION_MIN;
     return status;
 }
 
@@ -310,12 +312,12 @@ tb_status tb_tension_factor(const real_t pose[3], const real_t rails[6], real_t 
 static tb_status tb_isotropic_begin(const real_t structure[18], real_t weighed[18], real_t margin[1],
     real_t radius[1])
 {
-    const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
-    const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
-    const real_t weighed_14 = TB_C(20.033416898825333) * structure[14];
-    const real_t weighed_15 = TB_C(20.033416898825333) * structure[15];
-    const real_t weighed_16 = TB_C(20.033416898825333) * structure[16];
-    const real_t weighed_17 = TB_C(20.033416898825333) * structure[17];
+    const real_t weighed_12 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t weighed_13 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t weighed_14 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t weighed_15 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t weighed_16 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t weighed_17 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -436,8 +438,8 @@ static tb_status tb_isotropic_visit(const real_t chosen[6], const real_t numbers
     const bool t30 = (numbers[0] == TB_C(5.0)) || (numbers[1] == TB_C(5.0));
     const real_t t31 = t12 * weighed[5] + t13 * weighed[11] + t14 * weighed[17];
     const real_t t32 = t30 ? TB_C(0.0) : t31;
-    const real_t t33 = TB_C(6.5) * (t32 + (t29 + (t25 + (t22 + (t16 + t19)))));
-    const real_t t34 = TB_C(3.5) * (t26 + TB_ABS(t29) + TB_ABS(t32)) - TB_ABS(t33);
+    const real_t t33 = TB_TENSION_MIDDLE * (t32 + (t29 + (t25 + (t22 + (t16 + t19)))));
+    const real_t t34 = TB_TENSION_HALF_RANGE * (t26 + TB_ABS(t29) + TB_ABS(t32)) - TB_ABS(t33);
     const real_t margin_0 = t9 ? tb_min(margin[0], t34) : margin[0];
     const real_t t35 = TB_SQRT(t12 * t12 + t13 * t13);
     real_t radius_0;

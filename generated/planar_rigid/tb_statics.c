@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out <this folder>
  * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[18], const real_t tension[6], real_t wrench[3])
 {
@@ -100,8 +101,8 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6],
     const real_t t31 = t30 - t20;
     const real_t t32 = rails[1] - (pose[0] + t31);
     const real_t t33 = t32 * t32;
-    const real_t t34 = t17 * TB_C(0.055);
-    const real_t t35 = TB_C(0.7118) - (pose[0] + t34);
+    const real_t t34 = t17 * TB_LONGEST_ARM;
+    const real_t t35 = TB_FRAME_X - (pose[0] + t34);
     const real_t t36 = t35 * t35;
     const real_t t37 = t19 * TB_C(0.025);
     const real_t t38 = t30 - t37;
@@ -110,23 +111,23 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6],
     const real_t t41 = t18 - t37;
     const real_t t42 = rails[4] - (pose[0] + t41);
     const real_t t43 = t42 * t42;
-    const real_t t44 = t17 * -TB_C(0.055);
+    const real_t t44 = t17 * TB_ANCHOR_6_X;
     const real_t t45 = pose[0] + t44;
     const real_t t46 = t45 * t45;
     const real_t t47 = t23 + t33 + t36 + t40 + t43 + t46;
     const real_t t48 = TB_C(1.0) / t47;
-    const real_t t49 = t19 * TB_C(0.055);
+    const real_t t49 = t19 * TB_LONGEST_ARM;
     const real_t t50 = rails[2] - (pose[1] + t49);
     const real_t t51 = t19 * TB_C(0.04);
     const real_t t52 = t25 + t51;
     const real_t t53 = pose[1] + t52;
     const real_t t54 = t17 * TB_C(0.025);
     const real_t t55 = t51 + t54;
-    const real_t t56 = TB_C(0.4618) - (pose[1] + t55);
+    const real_t t56 = TB_FRAME_Y - (pose[1] + t55);
     const real_t t57 = t24 + t54;
-    const real_t t58 = TB_C(0.4618) - (pose[1] + t57);
+    const real_t t58 = TB_FRAME_Y - (pose[1] + t57);
     const real_t t59 = t35 * t50 - (t22 * t27 + t32 * t53) + t39 * t56 + t42 * t58;
-    const real_t t60 = t19 * -TB_C(0.055);
+    const real_t t60 = t19 * TB_ANCHOR_6_X;
     const real_t t61 = rails[5] - (pose[1] + t60);
     const real_t t62 = t48 * (t59 - t45 * t61);
     const real_t t63 = wrench[1] - wrench[0] * t62;
@@ -140,43 +141,43 @@ tb_status tb_wrench_share_eq10(const real_t pose[3], const real_t rails[6],
     const real_t t71 = TB_C(1.0) / t29;
     const real_t t72 = t27 * t71;
     const real_t t73 = t22 * t71;
-    const real_t t74 = (t21 * t72 + t26 * t73) * TB_C(20.033416898825333);
+    const real_t t74 = (t21 * t72 + t26 * t73) * TB_MOMENT_WEIGHT;
     const real_t t75 = t29 * t74;
     const real_t t76 = TB_SQRT(t33 + t64);
     const real_t t77 = TB_C(1.0) / t76;
     const real_t t78 = t53 * t77;
     const real_t t79 = t32 * t77;
-    const real_t t80 = TB_C(20.033416898825333) * (t31 * t78 + t52 * t79);
+    const real_t t80 = TB_MOMENT_WEIGHT * (t31 * t78 + t52 * t79);
     const real_t t81 = t76 * t80;
     const real_t t82 = TB_SQRT(t36 + t65);
     const real_t t83 = TB_C(1.0) / t82;
     const real_t t84 = t50 * t83;
     const real_t t85 = t35 * t83;
-    const real_t t86 = TB_C(20.033416898825333) * (t34 * t84 - t49 * t85);
+    const real_t t86 = TB_MOMENT_WEIGHT * (t34 * t84 - t49 * t85);
     const real_t t87 = t82 * t86;
     const real_t t88 = TB_SQRT(t40 + t66);
     const real_t t89 = TB_C(1.0) / t88;
     const real_t t90 = t56 * t89;
     const real_t t91 = t39 * t89;
-    const real_t t92 = TB_C(20.033416898825333) * (t38 * t90 - t55 * t91);
+    const real_t t92 = TB_MOMENT_WEIGHT * (t38 * t90 - t55 * t91);
     const real_t t93 = t88 * t92;
     const real_t t94 = TB_SQRT(t43 + t67);
     const real_t t95 = TB_C(1.0) / t94;
     const real_t t96 = t58 * t95;
     const real_t t97 = t42 * t95;
-    const real_t t98 = TB_C(20.033416898825333) * (t41 * t96 - t57 * t97);
+    const real_t t98 = TB_MOMENT_WEIGHT * (t41 * t96 - t57 * t97);
     const real_t t99 = t94 * t98;
     const real_t t100 = t27 * t75 + t53 * t81 + t50 * t87 + t56 * t93 + t58 * t99;
     const real_t t101 = TB_SQRT(t46 + t68);
     const real_t t102 = TB_C(1.0) / t101;
     const real_t t103 = t61 * t102;
     const real_t t104 = t45 * t102;
-    const real_t t105 = TB_C(20.033416898825333) * (t44 * t103 + t60 * t104);
+    const real_t t105 = TB_MOMENT_WEIGHT * (t44 * t103 + t60 * t104);
     const real_t t106 = t101 * t105;
     const real_t t107 = t35 * t87 - (t22 * t75 + t32 * t81) + t39 * t93 + t42 * t99;
     const real_t t108 = t48 * (t107 - t45 * t106);
     const real_t t109 = t70 * (t100 + t61 * t106 - t47 * (t62 * t108));
-    const real_t t110 = TB_C(20.033416898825333) * wrench[2] - wrench[0] * t108;
+    const real_t t110 = TB_MOMENT_WEIGHT * wrench[2] - wrench[0] * t108;
     const real_t t111 = t75 * t75 + t81 * t81 + t87 * t87 + t93 * t93 + t99 * t99;
     const real_t t112 = t111 + t106 * t106 - t47 * (t108 * t108) - t69 * (t109 * t109);
     const real_t t113 = (t110 - t63 * t109) / t112;
@@ -284,22 +285,22 @@ tb_status tb_rail_forces(const real_t pose[3], const real_t rails[6], const real
     const real_t t29 = pose[1] + (t23 + t28);
     const real_t t30 = TB_SQRT(t27 * t27 + t29 * t29);
     const real_t force_1 = -(tension[1] * (t27 / t30));
-    const real_t t31 = rails[2] - (pose[1] + t19 * TB_C(0.055));
-    const real_t t32 = TB_C(0.7118) - (pose[0] + t17 * TB_C(0.055));
+    const real_t t31 = rails[2] - (pose[1] + t19 * TB_LONGEST_ARM);
+    const real_t t32 = TB_FRAME_X - (pose[0] + t17 * TB_LONGEST_ARM);
     const real_t t33 = TB_SQRT(t32 * t32 + t31 * t31);
     const real_t force_2 = -(tension[2] * (t31 / t33));
     const real_t t34 = t19 * TB_C(0.025);
     const real_t t35 = rails[3] - (pose[0] + (t26 - t34));
     const real_t t36 = t17 * TB_C(0.025);
-    const real_t t37 = TB_C(0.4618) - (pose[1] + (t28 + t36));
+    const real_t t37 = TB_FRAME_Y - (pose[1] + (t28 + t36));
     const real_t t38 = TB_SQRT(t35 * t35 + t37 * t37);
     const real_t force_3 = -(tension[3] * (t35 / t38));
     const real_t t39 = rails[4] - (pose[0] + (t18 - t34));
-    const real_t t40 = TB_C(0.4618) - (pose[1] + (t22 + t36));
+    const real_t t40 = TB_FRAME_Y - (pose[1] + (t22 + t36));
     const real_t t41 = TB_SQRT(t39 * t39 + t40 * t40);
     const real_t force_4 = -(tension[4] * (t39 / t41));
-    const real_t t42 = rails[5] - (pose[1] + t19 * -TB_C(0.055));
-    const real_t t43 = pose[0] + t17 * -TB_C(0.055);
+    const real_t t42 = rails[5] - (pose[1] + t19 * TB_ANCHOR_6_X);
+    const real_t t43 = pose[0] + t17 * TB_ANCHOR_6_X;
     const real_t t44 = TB_SQRT(t43 * t43 + t42 * t42);
     const real_t force_5 = -(tension[5] * (t42 / t44));
     const bool t45 = TB_C(0.0001) < t25 && TB_C(0.0001) < t30 && TB_C(0.0001) < t33;

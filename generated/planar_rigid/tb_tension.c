@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out generated/planar_rigid
+/* Regenerate: turnbuckle generate machines/planar_rigid.toml --out <this folder>
  * Machine 95fa38e7104ced7a, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
 static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
@@ -54,13 +55,13 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[18], const r
     const real_t t17 = TB_SQRT(t16);
     const real_t t18 = TB_COPYSIGN(t17, t11);
     const real_t t19 = TB_ABS(t18);
-    const real_t t20 = TB_C(20.033416898825333) * structure[14];
-    const real_t t21 = TB_C(20.033416898825333) * structure[13];
-    const real_t t22 = t6 * (TB_C(20.033416898825333) * structure[12]) + structure[1] * t21;
-    const real_t t23 = TB_C(20.033416898825333) * structure[15];
-    const real_t t24 = TB_C(20.033416898825333) * structure[16];
+    const real_t t20 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t21 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t22 = t6 * (TB_MOMENT_WEIGHT * structure[12]) + structure[1] * t21;
+    const real_t t23 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t24 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t25 = t22 + structure[2] * t20 + structure[3] * t23 + structure[4] * t24;
-    const real_t t26 = TB_C(20.033416898825333) * structure[17];
+    const real_t t26 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t27 = t9 * (t25 + structure[5] * t26);
     const real_t t28 = t20 - structure[2] * t27;
     const real_t t29 = (t11 + t18) * (t21 - structure[1] * t27) + t12 * t28;
@@ -140,17 +141,17 @@ static tb_status tb_least_norm_tension_step(const real_t structure[18], const re
     const real_t t39 = TB_SQRT(t38);
     const real_t t40 = t2 ? t30 : TB_C(0.0);
     const real_t t41 = TB_COPYSIGN(t39, t40);
-    const real_t t42 = TB_C(20.033416898825333) * structure[14];
-    const real_t t43 = TB_C(20.033416898825333) * structure[12];
-    const real_t t44 = TB_C(20.033416898825333) * structure[13];
+    const real_t t42 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t43 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t t44 = TB_MOMENT_WEIGHT * structure[13];
     const real_t t45 = t2 ? (t2 ? structure[1] * t44 : TB_C(0.0)) : TB_C(0.0);
     const real_t t46 = t4 ? (t4 ? structure[2] * t42 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t47 = TB_C(20.033416898825333) * structure[15];
+    const real_t t47 = TB_MOMENT_WEIGHT * structure[15];
     const real_t t48 = t6 ? (t6 ? structure[3] * t47 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t49 = TB_C(20.033416898825333) * structure[16];
+    const real_t t49 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t50 = t8 ? (t8 ? structure[4] * t49 : TB_C(0.0)) : TB_C(0.0);
     const real_t t51 = (t0 ? t21 * t43 : TB_C(0.0)) + t45 + t46 + t48 + t50;
-    const real_t t52 = TB_C(20.033416898825333) * structure[17];
+    const real_t t52 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t53 = t10 ? (t10 ? structure[5] * t52 : TB_C(0.0)) : TB_C(0.0);
     const real_t t54 = t28 * (t51 + t53);
     const real_t t55 = t42 - structure[2] * t54;
@@ -179,19 +180,19 @@ static tb_status tb_least_norm_tension_step(const real_t structure[18], const re
     const real_t t76 = TB_C(64.0) * TB_EPSILON * t75;
     const bool t77 = TB_C(0.0) <= moving[0];
     const real_t t78 = TB_C(1.0) / t20;
-    const real_t t79 = TB_C(0.0) < side[0] ? TB_C(10.0) : (side[0] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t80 = TB_C(0.0) < side[1] ? TB_C(10.0) : (side[1] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t81 = TB_C(0.0) < side[2] ? TB_C(10.0) : (side[2] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
+    const real_t t79 = TB_C(0.0) < side[0] ? TB_TENSION_MAX : (side[0] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t80 = TB_C(0.0) < side[1] ? TB_TENSION_MAX : (side[1] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t81 = TB_C(0.0) < side[2] ? TB_TENSION_MAX : (side[2] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t82 = structure[0] * t79 + structure[1] * t80 + structure[2] * t81;
-    const real_t t83 = TB_C(0.0) < side[3] ? TB_C(10.0) : (side[3] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t84 = TB_C(0.0) < side[4] ? TB_C(10.0) : (side[4] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t85 = TB_C(0.0) < side[5] ? TB_C(10.0) : (side[5] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
+    const real_t t83 = TB_C(0.0) < side[3] ? TB_TENSION_MAX : (side[3] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t84 = TB_C(0.0) < side[4] ? TB_TENSION_MAX : (side[4] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t85 = TB_C(0.0) < side[5] ? TB_TENSION_MAX : (side[5] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t86 = t82 + structure[3] * t83 + structure[4] * t84 + structure[5] * t85;
     const real_t t87 = (wrench[0] - t86) * t78;
     const real_t t88 = (t0 ? structure[6] : TB_C(0.0)) - t21 * t29;
@@ -202,28 +203,28 @@ static tb_status tb_least_norm_tension_step(const real_t structure[18], const re
     const real_t t93 = (t2 ? t57 : TB_C(0.0)) - t56 * t65;
     const real_t t94 = TB_C(1.0) / t73;
     const real_t t95 = t43 * t79 + t44 * t80 + t42 * t81 + t47 * t83 + t49 * t84;
-    const real_t t96 = TB_C(20.033416898825333) * wrench[2] - (t95 + t52 * t85);
+    const real_t t96 = TB_MOMENT_WEIGHT * wrench[2] - (t95 + t52 * t85);
     const real_t t97 = (t0 ? t43 : TB_C(0.0)) - t21 * t54;
     const real_t t98 = t94 * ((t96 + t87 * t97 + t92 * t93) * t94);
     const real_t t99 = t89 * (t92 + t93 * t98);
     const real_t t100 = t78 * (t87 + t88 * t99 + t97 * t98);
     const real_t t101 = structure[3] * t100 + structure[9] * t99 + t47 * t98;
-    const real_t t102 = TB_C(0.0) < t7 ? tb_max(TB_C(3.0) - t101, t101 - TB_C(10.0)) :
+    const real_t t102 = TB_C(0.0) < t7 ? tb_max(TB_TENSION_MIN - t101, t101 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t103 = structure[4] * t100 + structure[10] * t99 + t49 * t98;
-    const real_t t104 = TB_C(0.0) < t9 ? tb_max(TB_C(3.0) - t103, t103 - TB_C(10.0)) :
+    const real_t t104 = TB_C(0.0) < t9 ? tb_max(TB_TENSION_MIN - t103, t103 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t105 = structure[5] * t100 + structure[11] * t99 + t52 * t98;
-    const real_t t106 = TB_C(0.0) < t11 ? tb_max(TB_C(3.0) - t105, t105 - TB_C(10.0)) :
-        -TB_C(1.0);
+    const real_t t106 = TB_C(0.0) < t11 ? tb_max(TB_TENSION_MIN - t105, t105 - TB_TENSION_MAX)
+        : -TB_C(1.0);
     const real_t t107 = structure[0] * t100 + structure[6] * t99 + t43 * t98;
-    const real_t t108 = TB_C(0.0) < t1 ? tb_max(TB_C(3.0) - t107, t107 - TB_C(10.0)) :
+    const real_t t108 = TB_C(0.0) < t1 ? tb_max(TB_TENSION_MIN - t107, t107 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t109 = structure[1] * t100 + structure[7] * t99 + t44 * t98;
-    const real_t t110 = TB_C(0.0) < t3 ? tb_max(TB_C(3.0) - t109, t109 - TB_C(10.0)) :
+    const real_t t110 = TB_C(0.0) < t3 ? tb_max(TB_TENSION_MIN - t109, t109 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t111 = structure[2] * t100 + structure[8] * t99 + t42 * t98;
-    const real_t t112 = TB_C(0.0) < t5 ? tb_max(TB_C(3.0) - t111, t111 - TB_C(10.0)) :
+    const real_t t112 = TB_C(0.0) < t5 ? tb_max(TB_TENSION_MIN - t111, t111 - TB_TENSION_MAX) :
         -TB_C(1.0);
     real_t t113, t114, t115, t116, t117, t118;
     if (t77) {
@@ -316,10 +317,11 @@ static tb_status tb_least_norm_tension_step(const real_t structure[18], const re
     const real_t t163 = t159 + t162;
     const bool t164 = TB_C(3.0) < t1 + t3 + t5 + t7 + t9 + t11 && t76 * t76 < t163;
     const real_t t165 = t126 + t163 * push[0];
-    const bool t166 = t165 < TB_C(6.5);
+    const bool t166 = t165 < TB_TENSION_MIDDLE;
     real_t t167;
     if (t164) {
-        const real_t t168 = tb_max(t166 ? TB_C(3.0) - t165 : t165 - TB_C(10.0), TB_C(0.0));
+        const real_t t168 = tb_max(t166 ? TB_TENSION_MIN - t165 : t165 - TB_TENSION_MAX,
+            TB_C(0.0));
         t167 = t168 * (TB_C(1.0) / t163);
     } else {
         t167 = TB_C(1e+30);
@@ -432,19 +434,19 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     real_t kkt_residual[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
-    const real_t t1 = TB_C(0.0) < side[0] ? TB_C(10.0) : (side[0] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t2 = TB_C(0.0) < side[1] ? TB_C(10.0) : (side[1] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t3 = TB_C(0.0) < side[2] ? TB_C(10.0) : (side[2] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
+    const real_t t1 = TB_C(0.0) < side[0] ? TB_TENSION_MAX : (side[0] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t2 = TB_C(0.0) < side[1] ? TB_TENSION_MAX : (side[1] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t3 = TB_C(0.0) < side[2] ? TB_TENSION_MAX : (side[2] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t4 = structure[0] * t1 + structure[1] * t2 + structure[2] * t3;
-    const real_t t5 = TB_C(0.0) < side[3] ? TB_C(10.0) : (side[3] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t6 = TB_C(0.0) < side[4] ? TB_C(10.0) : (side[4] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
-    const real_t t7 = TB_C(0.0) < side[5] ? TB_C(10.0) : (side[5] < TB_C(0.0) ? TB_C(3.0) :
-        TB_C(0.0));
+    const real_t t5 = TB_C(0.0) < side[3] ? TB_TENSION_MAX : (side[3] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t6 = TB_C(0.0) < side[4] ? TB_TENSION_MAX : (side[4] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t7 = TB_C(0.0) < side[5] ? TB_TENSION_MAX : (side[5] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t8 = t4 + structure[3] * t5 + structure[4] * t6 + structure[5] * t7;
     const real_t t9 = wrench[0] - t8;
     const real_t t10 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
@@ -491,17 +493,17 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     const real_t t50 = TB_COPYSIGN(t48, t49);
     const real_t t51 = TB_C(1.0) / t50;
     const real_t t52 = (t38 + t25 * t35) * t51;
-    const real_t t53 = TB_C(20.033416898825333) * structure[13];
-    const real_t t54 = TB_C(20.033416898825333) * structure[12];
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t54 = TB_MOMENT_WEIGHT * structure[12];
     const real_t t55 = t11 ? (t11 ? structure[1] * t53 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t56 = TB_C(20.033416898825333) * structure[14];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[14];
     const real_t t57 = t13 ? (t13 ? structure[2] * t56 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t58 = TB_C(20.033416898825333) * structure[15];
+    const real_t t58 = TB_MOMENT_WEIGHT * structure[15];
     const real_t t59 = t15 ? (t15 ? structure[3] * t58 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t60 = TB_C(20.033416898825333) * structure[16];
+    const real_t t60 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t61 = t17 ? (t17 ? structure[4] * t60 : TB_C(0.0)) : TB_C(0.0);
     const real_t t62 = (t0 ? t26 * t54 : TB_C(0.0)) + t55 + t57 + t59 + t61;
-    const real_t t63 = TB_C(20.033416898825333) * structure[17];
+    const real_t t63 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t64 = t19 ? (t19 ? structure[5] * t63 : TB_C(0.0)) : TB_C(0.0);
     const real_t t65 = t33 * (t62 + t64);
     const real_t t66 = t53 - structure[1] * t65;
@@ -517,7 +519,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     const real_t t75 = t73 + (t19 ? (t19 ? t46 * t74 : TB_C(0.0)) : TB_C(0.0));
     const real_t t76 = t75 * (TB_C(1.0) / (t48 * (t48 + TB_ABS(t49))));
     const real_t t77 = (t11 ? t66 : TB_C(0.0)) - t67 * t76;
-    const real_t t78 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t78 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t79 = t1 * t54 + t2 * t53 + t3 * t56 + t5 * t58 + t6 * t60;
     const real_t t80 = t78 - (t79 + t7 * t63);
     const real_t t81 = (t0 ? t54 : TB_C(0.0)) - t26 * t65;
@@ -562,22 +564,22 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     const real_t t113 = t24 * (t103 + t35 * t112 + t81 * t111);
     const real_t t114 = structure[0] * t113 + structure[6] * t112 + t54 * t111;
     const real_t t115 = t94 + t114;
-    const real_t tension_0 = tb_min(tb_max(t0 ? t115 : t1, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_0 = tb_min(tb_max(t0 ? t115 : t1, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t116 = structure[1] * t113 + structure[7] * t112 + t53 * t111;
     const real_t t117 = t95 + t116;
-    const real_t tension_1 = tb_min(tb_max(t11 ? t117 : t2, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_1 = tb_min(tb_max(t11 ? t117 : t2, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t118 = structure[2] * t113 + structure[8] * t112 + t56 * t111;
     const real_t t119 = t97 + t118;
-    const real_t tension_2 = tb_min(tb_max(t13 ? t119 : t3, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_2 = tb_min(tb_max(t13 ? t119 : t3, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t120 = structure[3] * t113 + structure[9] * t112 + t58 * t111;
     const real_t t121 = t98 + t120;
-    const real_t tension_3 = tb_min(tb_max(t15 ? t121 : t5, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_3 = tb_min(tb_max(t15 ? t121 : t5, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t122 = structure[4] * t113 + structure[10] * t112 + t60 * t111;
     const real_t t123 = t100 + t122;
-    const real_t tension_4 = tb_min(tb_max(t17 ? t123 : t6, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_4 = tb_min(tb_max(t17 ? t123 : t6, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t124 = structure[5] * t113 + structure[11] * t112 + t63 * t111;
     const real_t t125 = t101 + t124;
-    const real_t tension_5 = tb_min(tb_max(t19 ? t125 : t7, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_5 = tb_min(tb_max(t19 ? t125 : t7, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t126 = structure[0] * tension_0 + structure[1] * tension_1;
     const real_t t127 = t126 + structure[2] * tension_2 + structure[3] * tension_3;
     const real_t delivered_0 = t127 + structure[4] * tension_4 + structure[5] * tension_5;
@@ -593,7 +595,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     const real_t t135 = tb_min(tb_min(TB_ABS(t23), TB_ABS(t50)), TB_ABS(t89));
     const real_t t136 = tb_max(TB_C(0.0), t134) * tb_min(TB_C(1.0), t135);
     const real_t t137 = tb_max(tb_max(TB_ABS(t93), TB_ABS(t92)), TB_ABS(t91));
-    const real_t t138 = TB_C(10.0) * t136 * (TB_C(1.0) / tb_max(TB_C(10.0), t137));
+    const real_t t138 = TB_TENSION_MAX * t136 * (TB_C(1.0) / tb_max(TB_TENSION_MAX, t137));
     const real_t t139 = tb_max(tb_max(t138, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
     const real_t t140 = t54 * tension_0 + t53 * tension_1 + t56 * tension_2;
@@ -602,12 +604,12 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[18], const 
     const real_t t142 = TB_C(1920.0) * TB_EPSILON / tb_min(TB_C(1.0), pivot[0]);
     const bool t143 = !(kkt_residual_0 <= tb_min(t142, TB_C(0.01)));
     if (t143) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        tension[4] = TB_C(3.0);
-        tension[5] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
         delivered[0] = TB_C(0.0);
         delivered[1] = TB_C(0.0);
         delivered[2] = TB_C(0.0);
@@ -644,12 +646,12 @@ tb_status tb_least_norm_tension(const real_t structure[18], const real_t wrench[
         status = TB_INACCURATE;
     }
     if (status != TB_OK) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        tension[4] = TB_C(3.0);
-        tension[5] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
         delivered[0] = TB_C(0.0);
         delivered[1] = TB_C(0.0);
         delivered[2] = TB_C(0.0);
@@ -711,13 +713,13 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[18], c
     const real_t t17 = TB_SQRT(t16);
     const real_t t18 = TB_COPYSIGN(t17, t11);
     const real_t t19 = TB_ABS(t18);
-    const real_t t20 = TB_C(20.033416898825333) * structure[14];
-    const real_t t21 = TB_C(20.033416898825333) * structure[13];
-    const real_t t22 = t6 * (TB_C(20.033416898825333) * structure[12]) + structure[1] * t21;
-    const real_t t23 = TB_C(20.033416898825333) * structure[15];
-    const real_t t24 = TB_C(20.033416898825333) * structure[16];
+    const real_t t20 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t21 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t22 = t6 * (TB_MOMENT_WEIGHT * structure[12]) + structure[1] * t21;
+    const real_t t23 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t24 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t25 = t22 + structure[2] * t20 + structure[3] * t23 + structure[4] * t24;
-    const real_t t26 = TB_C(20.033416898825333) * structure[17];
+    const real_t t26 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t27 = t9 * (t25 + structure[5] * t26);
     const real_t t28 = t20 - structure[2] * t27;
     const real_t t29 = (t11 + t18) * (t21 - structure[1] * t27) + t12 * t28;
@@ -797,17 +799,17 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
     const real_t t39 = TB_SQRT(t38);
     const real_t t40 = t2 ? t30 : TB_C(0.0);
     const real_t t41 = TB_COPYSIGN(t39, t40);
-    const real_t t42 = TB_C(20.033416898825333) * structure[14];
-    const real_t t43 = TB_C(20.033416898825333) * structure[12];
-    const real_t t44 = TB_C(20.033416898825333) * structure[13];
+    const real_t t42 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t43 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t t44 = TB_MOMENT_WEIGHT * structure[13];
     const real_t t45 = t2 ? (t2 ? structure[1] * t44 : TB_C(0.0)) : TB_C(0.0);
     const real_t t46 = t4 ? (t4 ? structure[2] * t42 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t47 = TB_C(20.033416898825333) * structure[15];
+    const real_t t47 = TB_MOMENT_WEIGHT * structure[15];
     const real_t t48 = t6 ? (t6 ? structure[3] * t47 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t49 = TB_C(20.033416898825333) * structure[16];
+    const real_t t49 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t50 = t8 ? (t8 ? structure[4] * t49 : TB_C(0.0)) : TB_C(0.0);
     const real_t t51 = (t0 ? t21 * t43 : TB_C(0.0)) + t45 + t46 + t48 + t50;
-    const real_t t52 = TB_C(20.033416898825333) * structure[17];
+    const real_t t52 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t53 = t10 ? (t10 ? structure[5] * t52 : TB_C(0.0)) : TB_C(0.0);
     const real_t t54 = t28 * (t51 + t53);
     const real_t t55 = t42 - structure[2] * t54;
@@ -837,18 +839,18 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
     const bool t77 = TB_C(0.0) <= moving[0];
     const real_t t78 = TB_C(1.0) / t20;
     const real_t t79 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t80 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t81 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t82 = structure[0] * t79 + structure[1] * t80 + structure[2] * t81;
     const real_t t83 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t84 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t85 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t86 = t82 + structure[3] * t83 + structure[4] * t84 + structure[5] * t85;
     const real_t t87 = (wrench[0] - t86) * t78;
     const real_t t88 = (t0 ? structure[6] : TB_C(0.0)) - t21 * t29;
@@ -858,7 +860,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
     const real_t t92 = (wrench[1] - t91 + t87 * t88) * t89;
     const real_t t93 = (t2 ? t57 : TB_C(0.0)) - t56 * t65;
     const real_t t94 = TB_C(1.0) / t73;
-    const real_t t95 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t95 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t96 = t43 * t79 + t44 * t80 + t42 * t81 + t47 * t83 + t49 * t84;
     const real_t t97 = (t0 ? t43 : TB_C(0.0)) - t21 * t54;
     const real_t t98 = (t95 - (t96 + t52 * t85) + t87 * t97 + t92 * t93) * t94;
@@ -866,22 +868,22 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
     const real_t t100 = t89 * (t92 + t93 * t99);
     const real_t t101 = t78 * (t87 + t88 * t100 + t97 * t99);
     const real_t t102 = structure[3] * t101 + structure[9] * t100 + t47 * t99;
-    const real_t t103 = tb_max(TB_C(3.0) - t102, t102 - TB_C(1000000000000.0));
+    const real_t t103 = tb_max(TB_TENSION_MIN - t102, t102 - TB_C(1000000000000.0));
     const real_t t104 = TB_C(0.0) < t7 ? t103 : -TB_C(1.0);
     const real_t t105 = structure[4] * t101 + structure[10] * t100 + t49 * t99;
-    const real_t t106 = tb_max(TB_C(3.0) - t105, t105 - TB_C(1000000000000.0));
+    const real_t t106 = tb_max(TB_TENSION_MIN - t105, t105 - TB_C(1000000000000.0));
     const real_t t107 = TB_C(0.0) < t9 ? t106 : -TB_C(1.0);
     const real_t t108 = structure[5] * t101 + structure[11] * t100 + t52 * t99;
-    const real_t t109 = tb_max(TB_C(3.0) - t108, t108 - TB_C(1000000000000.0));
+    const real_t t109 = tb_max(TB_TENSION_MIN - t108, t108 - TB_C(1000000000000.0));
     const real_t t110 = TB_C(0.0) < t11 ? t109 : -TB_C(1.0);
     const real_t t111 = structure[0] * t101 + structure[6] * t100 + t43 * t99;
-    const real_t t112 = tb_max(TB_C(3.0) - t111, t111 - TB_C(1000000000000.0));
+    const real_t t112 = tb_max(TB_TENSION_MIN - t111, t111 - TB_C(1000000000000.0));
     const real_t t113 = TB_C(0.0) < t1 ? t112 : -TB_C(1.0);
     const real_t t114 = structure[1] * t101 + structure[7] * t100 + t44 * t99;
-    const real_t t115 = tb_max(TB_C(3.0) - t114, t114 - TB_C(1000000000000.0));
+    const real_t t115 = tb_max(TB_TENSION_MIN - t114, t114 - TB_C(1000000000000.0));
     const real_t t116 = TB_C(0.0) < t3 ? t115 : -TB_C(1.0);
     const real_t t117 = structure[2] * t101 + structure[8] * t100 + t42 * t99;
-    const real_t t118 = tb_max(TB_C(3.0) - t117, t117 - TB_C(1000000000000.0));
+    const real_t t118 = tb_max(TB_TENSION_MIN - t117, t117 - TB_C(1000000000000.0));
     const real_t t119 = TB_C(0.0) < t5 ? t118 : -TB_C(1.0);
     real_t t120, t121, t122, t123, t124, t125;
     if (t77) {
@@ -977,7 +979,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
     const bool t173 = t172 < TB_C(500000000001.5);
     real_t t174;
     if (t171) {
-        const real_t t175 = t173 ? TB_C(3.0) - t172 : t172 - TB_C(1000000000000.0);
+        const real_t t175 = t173 ? TB_TENSION_MIN - t172 : t172 - TB_C(1000000000000.0);
         t174 = tb_max(t175, TB_C(0.0)) * (TB_C(1.0) / t170);
     } else {
         t174 = TB_C(1e+30);
@@ -1036,7 +1038,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[18], co
     const bool t197 = t174 <= t196;
     const real_t t198 = tb_max(tb_max(tb_max(tb_max(t113, t116), t119), t104), t107);
     const real_t t199 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t95);
-    const real_t t200 = t75 * (TB_EPSILON * TB_C(8.0) * (TB_C(3.0) + t199));
+    const real_t t200 = t75 * (TB_EPSILON * TB_C(8.0) * (TB_TENSION_MIN + t199));
     const bool t201 = (!t77 && tb_max(t198, t110) <= t200) || !(tb_min(t174, t196) <
         TB_C(1e+30));
     const real_t t202 = t197 && !t201 ? t129 : -TB_C(1.0);
@@ -1092,18 +1094,18 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], 
     real_t kkt_residual[1])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t1 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t2 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t3 = t0 * structure[0] + structure[1] * t1 + structure[2] * t2;
     const real_t t4 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t5 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t6 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(3.0) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t7 = t3 + structure[3] * t4 + structure[4] * t5 + structure[5] * t6;
     const real_t t8 = wrench[0] - t7;
     const bool t9 = TB_C(0.0) == side[0];
@@ -1151,17 +1153,17 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], 
     const real_t t50 = TB_COPYSIGN(t48, t49);
     const real_t t51 = TB_C(1.0) / t50;
     const real_t t52 = (t38 + t25 * t35) * t51;
-    const real_t t53 = TB_C(20.033416898825333) * structure[13];
-    const real_t t54 = TB_C(20.033416898825333) * structure[12];
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t54 = TB_MOMENT_WEIGHT * structure[12];
     const real_t t55 = t11 ? (t11 ? structure[1] * t53 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t56 = TB_C(20.033416898825333) * structure[14];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[14];
     const real_t t57 = t13 ? (t13 ? structure[2] * t56 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t58 = TB_C(20.033416898825333) * structure[15];
+    const real_t t58 = TB_MOMENT_WEIGHT * structure[15];
     const real_t t59 = t15 ? (t15 ? structure[3] * t58 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t60 = TB_C(20.033416898825333) * structure[16];
+    const real_t t60 = TB_MOMENT_WEIGHT * structure[16];
     const real_t t61 = t17 ? (t17 ? structure[4] * t60 : TB_C(0.0)) : TB_C(0.0);
     const real_t t62 = (t9 ? t26 * t54 : TB_C(0.0)) + t55 + t57 + t59 + t61;
-    const real_t t63 = TB_C(20.033416898825333) * structure[17];
+    const real_t t63 = TB_MOMENT_WEIGHT * structure[17];
     const real_t t64 = t19 ? (t19 ? structure[5] * t63 : TB_C(0.0)) : TB_C(0.0);
     const real_t t65 = t33 * (t62 + t64);
     const real_t t66 = t53 - structure[1] * t65;
@@ -1177,7 +1179,7 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], 
     const real_t t75 = t73 + (t19 ? (t19 ? t46 * t74 : TB_C(0.0)) : TB_C(0.0));
     const real_t t76 = t75 * (TB_C(1.0) / (t48 * (t48 + TB_ABS(t49))));
     const real_t t77 = (t11 ? t66 : TB_C(0.0)) - t67 * t76;
-    const real_t t78 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t78 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t79 = t0 * t54 + t1 * t53 + t2 * t56 + t4 * t58 + t5 * t60;
     const real_t t80 = t78 - (t79 + t6 * t63);
     const real_t t81 = (t9 ? t54 : TB_C(0.0)) - t26 * t65;
@@ -1238,15 +1240,15 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], 
     const real_t t129 = tb_min(tb_min(TB_ABS(t23), TB_ABS(t50)), TB_ABS(t89));
     const real_t t130 = tb_max(TB_C(0.0), t128) * tb_min(TB_C(1.0), t129);
     const real_t t131 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t78);
-    const real_t t132 = TB_C(3.0) + t131;
+    const real_t t132 = TB_TENSION_MIN + t131;
     const real_t t133 = tb_max(tb_max(TB_ABS(t93), TB_ABS(t92)), TB_ABS(t91));
-    const real_t t134 = tb_min(tb_max(t9 ? t115 : t0, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t135 = tb_min(tb_max(t11 ? t117 : t1, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t136 = tb_min(tb_max(t13 ? t120 : t2, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t134 = tb_min(tb_max(t9 ? t115 : t0, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t135 = tb_min(tb_max(t11 ? t117 : t1, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t136 = tb_min(tb_max(t13 ? t120 : t2, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t137 = structure[0] * t134 + structure[1] * t135 + structure[2] * t136;
-    const real_t t138 = tb_min(tb_max(t15 ? t122 : t4, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t139 = tb_min(tb_max(t17 ? t125 : t5, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t140 = tb_min(tb_max(t19 ? t127 : t6, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t138 = tb_min(tb_max(t15 ? t122 : t4, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t139 = tb_min(tb_max(t17 ? t125 : t5, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t140 = tb_min(tb_max(t19 ? t127 : t6, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t141 = t137 + structure[3] * t138 + structure[4] * t139 + structure[5] * t140;
     const real_t t142 = tb_max(t130 * t132 * (TB_C(1.0) / tb_max(t132, t133)), TB_ABS(t141 -
         wrench[0]));
@@ -1260,20 +1262,20 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], 
     const bool t150 = t147 <= tb_min(t149, TB_C(0.01));
     real_t tension_0, tension_1, tension_2, tension_3, tension_4, tension_5, kkt_residual_0;
     if (t150) {
-        tension_0 = tb_min(t134, TB_C(10.0));
-        tension_1 = tb_min(t135, TB_C(10.0));
-        tension_2 = tb_min(t136, TB_C(10.0));
-        tension_3 = tb_min(t138, TB_C(10.0));
-        tension_4 = tb_min(t139, TB_C(10.0));
-        tension_5 = tb_min(t140, TB_C(10.0));
+        tension_0 = tb_min(t134, TB_TENSION_MAX);
+        tension_1 = tb_min(t135, TB_TENSION_MAX);
+        tension_2 = tb_min(t136, TB_TENSION_MAX);
+        tension_3 = tb_min(t138, TB_TENSION_MAX);
+        tension_4 = tb_min(t139, TB_TENSION_MAX);
+        tension_5 = tb_min(t140, TB_TENSION_MAX);
         kkt_residual_0 = t147;
     } else {
-        tension_0 = TB_C(3.0);
-        tension_1 = TB_C(3.0);
-        tension_2 = TB_C(3.0);
-        tension_3 = TB_C(3.0);
-        tension_4 = TB_C(3.0);
-        tension_5 = TB_C(3.0);
+        tension_0 = TB_TENSION_MIN;
+        tension_1 = TB_TENSION_MIN;
+        tension_2 = TB_TENSION_MIN;
+        tension_3 = TB_TENSION_MIN;
+        tension_4 = TB_TENSION_MIN;
+        tension_5 = TB_TENSION_MIN;
         kkt_residual_0 = TB_C(0.0);
     }
     const bool t151 = !t150;
@@ -1286,8 +1288,9 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[18], 
     const real_t t156 = structure[12] * tension_0 + structure[13] * tension_1;
     const real_t t157 = t156 + structure[14] * tension_2 + structure[15] * tension_3;
     const real_t delivered_2 = t157 + structure[16] * tension_4 + structure[17] * tension_5;
-    const bool t158 = TB_C(10.0) < t134 || TB_C(10.0) < t135 || TB_C(10.0) < t136;
-    const bool t159 = t158 || TB_C(10.0) < t138 || TB_C(10.0) < t139 || TB_C(10.0) < t140;
+    const bool t158 = TB_TENSION_MAX < t134 || TB_TENSION_MAX < t135 || TB_TENSION_MAX < t136;
+    const bool t159 = t158 || TB_TENSION_MAX < t138 || TB_TENSION_MAX < t139 || TB_TENSION_MAX
+        < t140;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -1318,12 +1321,12 @@ tb_status tb_distribute_tension_paper(const real_t structure[18], const real_t w
         status = TB_INACCURATE;
     }
     if (status != TB_OK) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
-        tension[4] = TB_C(3.0);
-        tension[5] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
         delivered[0] = TB_C(0.0);
         delivered[1] = TB_C(0.0);
         delivered[2] = TB_C(0.0);
@@ -1372,30 +1375,30 @@ static tb_status tb_served_wrench_closest_begin(const real_t structure[18], cons
         return TB_OUT_OF_DOMAIN;
     }
     const real_t t0 = structure[0] + structure[1] + structure[2] + structure[3];
-    const real_t t1 = TB_C(6.5) * (t0 + structure[4] + structure[5]) - wrench[0];
+    const real_t t1 = TB_TENSION_MIDDLE * (t0 + structure[4] + structure[5]) - wrench[0];
     const real_t t2 = structure[6] + structure[7] + structure[8] + structure[9];
-    const real_t t3 = TB_C(6.5) * (t2 + structure[10] + structure[11]) - wrench[1];
-    const real_t t4 = TB_C(20.033416898825333) * structure[12];
-    const real_t t5 = TB_C(20.033416898825333) * structure[13];
-    const real_t t6 = TB_C(20.033416898825333) * structure[14];
-    const real_t t7 = TB_C(20.033416898825333) * structure[15];
-    const real_t t8 = TB_C(20.033416898825333) * structure[16];
-    const real_t t9 = TB_C(20.033416898825333) * structure[17];
-    const real_t t10 = TB_C(20.033416898825333) * wrench[2];
-    const real_t t11 = TB_C(6.5) * (t4 + t5 + t6 + t7 + t8 + t9) - t10;
+    const real_t t3 = TB_TENSION_MIDDLE * (t2 + structure[10] + structure[11]) - wrench[1];
+    const real_t t4 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t t5 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t6 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t7 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t8 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t t9 = TB_MOMENT_WEIGHT * structure[17];
+    const real_t t10 = TB_MOMENT_WEIGHT * wrench[2];
+    const real_t t11 = TB_TENSION_MIDDLE * (t4 + t5 + t6 + t7 + t8 + t9) - t10;
     const bool t12 = structure[0] * t1 + structure[6] * t3 + t4 * t11 < TB_C(0.0);
-    const real_t t13 = t12 ? TB_C(10.0) : TB_C(3.0);
+    const real_t t13 = t12 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const bool t14 = structure[1] * t1 + structure[7] * t3 + t5 * t11 < TB_C(0.0);
-    const real_t t15 = t14 ? TB_C(10.0) : TB_C(3.0);
+    const real_t t15 = t14 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const bool t16 = structure[2] * t1 + structure[8] * t3 + t6 * t11 < TB_C(0.0);
-    const real_t t17 = t16 ? TB_C(10.0) : TB_C(3.0);
+    const real_t t17 = t16 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t18 = structure[0] * t13 + structure[1] * t15 + structure[2] * t17;
     const bool t19 = structure[3] * t1 + structure[9] * t3 + t7 * t11 < TB_C(0.0);
-    const real_t t20 = t19 ? TB_C(10.0) : TB_C(3.0);
+    const real_t t20 = t19 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t21 = structure[4] * t1 + structure[10] * t3 + t8 * t11;
-    const real_t t22 = t21 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t22 = t21 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t23 = structure[5] * t1 + structure[11] * t3 + t9 * t11;
-    const real_t t24 = t23 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t24 = t23 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t25 = t18 + structure[3] * t20 + structure[4] * t22 + structure[5] * t24;
     const real_t points_0 = t25 - wrench[0];
     const real_t t26 = structure[6] * t13 + structure[7] * t15 + structure[8] * t17;
@@ -1636,26 +1639,26 @@ static tb_status tb_served_wrench_closest_step(const real_t structure[18], const
     const real_t t171 = t88 ? -(t88 ? t92 * t169 : TB_C(0.0)) : TB_C(0.0);
     const real_t offset_1 = t166 + t171;
     const real_t t172 = offset_0 * structure[0] + structure[6] * offset_1;
-    const real_t t173 = TB_C(20.033416898825333) * structure[12];
+    const real_t t173 = TB_MOMENT_WEIGHT * structure[12];
     const real_t t174 = t88 ? -(t88 ? t93 * t169 : TB_C(0.0)) : TB_C(0.0);
     const real_t offset_2 = t168 + t174;
-    const real_t t175 = t172 + t173 * offset_2 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t175 = t172 + t173 * offset_2 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t176 = offset_0 * structure[1] + offset_1 * structure[7];
-    const real_t t177 = TB_C(20.033416898825333) * structure[13];
-    const real_t t178 = t176 + offset_2 * t177 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t177 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t178 = t176 + offset_2 * t177 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t179 = offset_0 * structure[2] + offset_1 * structure[8];
-    const real_t t180 = TB_C(20.033416898825333) * structure[14];
-    const real_t t181 = t179 + offset_2 * t180 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t180 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t181 = t179 + offset_2 * t180 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t182 = structure[0] * t175 + structure[1] * t178 + structure[2] * t181;
     const real_t t183 = offset_0 * structure[3] + offset_1 * structure[9];
-    const real_t t184 = TB_C(20.033416898825333) * structure[15];
-    const real_t t185 = t183 + offset_2 * t184 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t184 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t185 = t183 + offset_2 * t184 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t186 = offset_0 * structure[4] + offset_1 * structure[10];
-    const real_t t187 = TB_C(20.033416898825333) * structure[16];
-    const real_t t188 = t186 + offset_2 * t187 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t187 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t t188 = t186 + offset_2 * t187 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t189 = offset_0 * structure[5] + offset_1 * structure[11];
-    const real_t t190 = TB_C(20.033416898825333) * structure[17];
-    const real_t t191 = t189 + offset_2 * t190 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t190 = TB_MOMENT_WEIGHT * structure[17];
+    const real_t t191 = t189 + offset_2 * t190 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t192 = t182 + structure[3] * t185 + structure[4] * t188 + structure[5] * t191;
     const real_t t193 = t192 - wrench[0];
     const real_t t194 = structure[6] * t175 + structure[7] * t178 + structure[8] * t181;
@@ -1663,7 +1666,7 @@ static tb_status tb_served_wrench_closest_step(const real_t structure[18], const
     const real_t t196 = t195 + structure[11] * t191 - wrench[1];
     const real_t t197 = offset_0 * (offset_0 - t193) + offset_1 * (offset_1 - t196);
     const real_t t198 = t173 * t175 + t177 * t178 + t180 * t181 + t184 * t185;
-    const real_t t199 = TB_C(20.033416898825333) * wrench[2];
+    const real_t t199 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t200 = t198 + t187 * t188 + t190 * t191 - t199;
     const real_t t201 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t199);
     const real_t t202 = offset_0 * offset_0 + offset_1 * offset_1 + offset_2 * offset_2;
@@ -1760,11 +1763,11 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[18], con
     const bool t2 = t1 <= TB_C(960.0) * TB_EPSILON;
     const bool t3 = !t2;
     const real_t t4 = structure[0] + structure[1] + structure[2] + structure[3];
-    const real_t t5 = TB_C(6.5) * (t4 + structure[4] + structure[5]);
+    const real_t t5 = TB_TENSION_MIDDLE * (t4 + structure[4] + structure[5]);
     const real_t t6 = structure[6] + structure[7] + structure[8] + structure[9];
-    const real_t t7 = TB_C(6.5) * (t6 + structure[10] + structure[11]);
+    const real_t t7 = TB_TENSION_MIDDLE * (t6 + structure[10] + structure[11]);
     const real_t t8 = structure[12] + structure[13] + structure[14] + structure[15];
-    const real_t t9 = TB_C(6.5) * (t8 + structure[16] + structure[17]);
+    const real_t t9 = TB_TENSION_MIDDLE * (t8 + structure[16] + structure[17]);
     real_t served_0, served_1, served_2;
     if (t2) {
         served_0 = wrench[0];
@@ -1774,7 +1777,7 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[18], con
         const real_t t10 = offset[0] + wrench[0];
         const real_t t11 = TB_EPSILON * TB_C(32.0);
         const real_t t12 = offset[1] + wrench[1];
-        const real_t t13 = wrench[2] + offset[2] * TB_C(0.049916597106239795);
+        const real_t t13 = wrench[2] + offset[2] * TB_LEVER;
         served_0 = t10 + t11 * (t5 - t10);
         served_1 = t12 + t11 * (t7 - t12);
         served_2 = t13 + t11 * (t9 - t13);
@@ -1783,31 +1786,31 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[18], con
     const real_t inner_1 = served_1 + TB_C(3.814697265625e-06) * (t7 - served_1);
     const real_t inner_2 = served_2 + TB_C(3.814697265625e-06) * (t9 - served_2);
     const real_t t14 = offset[0] * structure[0] + offset[1] * structure[6];
-    const real_t t15 = TB_C(20.033416898825333) * structure[12];
-    const real_t t16 = t14 + offset[2] * t15 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t15 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t t16 = t14 + offset[2] * t15 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t17 = offset[0] * structure[1] + offset[1] * structure[7];
-    const real_t t18 = TB_C(20.033416898825333) * structure[13];
-    const real_t t19 = t17 + offset[2] * t18 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t18 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t t19 = t17 + offset[2] * t18 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t20 = offset[0] * structure[2] + offset[1] * structure[8];
-    const real_t t21 = TB_C(20.033416898825333) * structure[14];
-    const real_t t22 = t20 + offset[2] * t21 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t21 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t t22 = t20 + offset[2] * t21 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t23 = structure[0] * t16 + structure[1] * t19 + structure[2] * t22;
     const real_t t24 = offset[0] * structure[3] + offset[1] * structure[9];
-    const real_t t25 = TB_C(20.033416898825333) * structure[15];
-    const real_t t26 = t24 + offset[2] * t25 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t25 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t t26 = t24 + offset[2] * t25 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t27 = offset[0] * structure[4] + offset[1] * structure[10];
-    const real_t t28 = TB_C(20.033416898825333) * structure[16];
-    const real_t t29 = t27 + offset[2] * t28 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t28 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t t29 = t27 + offset[2] * t28 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t30 = offset[0] * structure[5] + offset[1] * structure[11];
-    const real_t t31 = TB_C(20.033416898825333) * structure[17];
-    const real_t t32 = t30 + offset[2] * t31 < TB_C(0.0) ? TB_C(10.0) : TB_C(3.0);
+    const real_t t31 = TB_MOMENT_WEIGHT * structure[17];
+    const real_t t32 = t30 + offset[2] * t31 < TB_C(0.0) ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t33 = t23 + structure[3] * t26 + structure[4] * t29 + structure[5] * t32;
     const real_t t34 = structure[6] * t16 + structure[7] * t19 + structure[8] * t22;
     const real_t t35 = t34 + structure[9] * t26 + structure[10] * t29 + structure[11] * t32;
     const real_t t36 = offset[0] * (offset[0] - (t33 - wrench[0])) + offset[1] * (offset[1] -
         (t35 - wrench[1]));
     const real_t t37 = t15 * t16 + t18 * t19 + t21 * t22 + t25 * t26 + t28 * t29;
-    const real_t t38 = wrench[2] * TB_C(20.033416898825333);
+    const real_t t38 = wrench[2] * TB_MOMENT_WEIGHT;
     const real_t t39 = offset[2] * (offset[2] - (t37 + t31 * t32 - t38));
     const real_t t40 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(t38);
     const real_t t41 = t1 * (TB_EPSILON * TB_C(64.0) * (TB_C(60.0) + t40));
@@ -1907,13 +1910,13 @@ static tb_status tb_wrench_ray_begin(const real_t structure[18], const real_t wr
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]) <= TB_C(180000.0))) {
         return tb_refuse_wrench_ray_begin(TB_OUT_OF_DOMAIN, weighed, asked, inside, largest, first, last);
     }
-    const real_t weighed_12 = TB_C(20.033416898825333) * structure[12];
-    const real_t weighed_13 = TB_C(20.033416898825333) * structure[13];
-    const real_t weighed_14 = TB_C(20.033416898825333) * structure[14];
-    const real_t weighed_15 = TB_C(20.033416898825333) * structure[15];
-    const real_t weighed_16 = TB_C(20.033416898825333) * structure[16];
-    const real_t weighed_17 = TB_C(20.033416898825333) * structure[17];
-    const real_t asked_2 = TB_C(20.033416898825333) * wrench[2];
+    const real_t weighed_12 = TB_MOMENT_WEIGHT * structure[12];
+    const real_t weighed_13 = TB_MOMENT_WEIGHT * structure[13];
+    const real_t weighed_14 = TB_MOMENT_WEIGHT * structure[14];
+    const real_t weighed_15 = TB_MOMENT_WEIGHT * structure[15];
+    const real_t weighed_16 = TB_MOMENT_WEIGHT * structure[16];
+    const real_t weighed_17 = TB_MOMENT_WEIGHT * structure[17];
+    const real_t asked_2 = TB_MOMENT_WEIGHT * wrench[2];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -2020,9 +2023,9 @@ static tb_status tb_wrench_ray_visit(const real_t chosen[6], const real_t number
     const bool t30 = (numbers[0] == TB_C(5.0)) || (numbers[1] == TB_C(5.0));
     const real_t t31 = t12 * weighed[5] + t13 * weighed[11] + t14 * weighed[17];
     const real_t t32 = t30 ? TB_C(0.0) : t31;
-    const real_t t33 = TB_C(3.5) * (t26 + TB_ABS(t29) + TB_ABS(t32));
+    const real_t t33 = TB_TENSION_HALF_RANGE * (t26 + TB_ABS(t29) + TB_ABS(t32));
     const real_t t34 = t12 * asked[0] + t13 * asked[1] + t14 * asked[2];
-    const real_t t35 = TB_C(6.5) * (t32 + (t29 + (t25 + (t22 + (t16 + t19)))));
+    const real_t t35 = TB_TENSION_MIDDLE * (t32 + (t29 + (t25 + (t22 + (t16 + t19)))));
     const real_t inside_0 = t9 && t33 < TB_ABS(t34 - t35) ? TB_C(0.0) : inside[0];
     real_t largest_0, first_0, last_0;
     if (t9) {
@@ -2116,11 +2119,11 @@ static tb_status tb_served_fraction(const real_t structure[18], const real_t wre
     const bool t0 = TB_C(0.0) < feasible[0];
     const bool t1 = !t0;
     const real_t t2 = structure[0] + structure[1] + structure[2] + structure[3];
-    const real_t t3 = TB_C(6.5) * (t2 + structure[4] + structure[5]);
+    const real_t t3 = TB_TENSION_MIDDLE * (t2 + structure[4] + structure[5]);
     const real_t t4 = structure[6] + structure[7] + structure[8] + structure[9];
-    const real_t t5 = TB_C(6.5) * (t4 + structure[10] + structure[11]);
+    const real_t t5 = TB_TENSION_MIDDLE * (t4 + structure[10] + structure[11]);
     const real_t t6 = structure[12] + structure[13] + structure[14] + structure[15];
-    const real_t t7 = TB_C(6.5) * (t6 + structure[16] + structure[17]);
+    const real_t t7 = TB_TENSION_MIDDLE * (t6 + structure[16] + structure[17]);
     real_t served_0, served_1, served_2;
     if (t0) {
         served_0 = wrench[0];

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out <this folder>
  * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
 static tb_status tb_refuse_kernel_tension_begin(tb_status status, real_t pivot[1],
@@ -97,15 +98,15 @@ static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_
     const real_t t47 = TB_SQRT(t45 + t46 * t46);
     const real_t t48 = TB_COPYSIGN(t47, t40);
     const real_t t49 = TB_ABS(t48);
-    const real_t t50 = TB_C(13.86750490563073) * structure[27];
-    const real_t t51 = TB_C(13.86750490563073) * structure[25];
-    const real_t t52 = t7 * (TB_C(13.86750490563073) * structure[24]) + structure[1] * t51;
-    const real_t t53 = TB_C(13.86750490563073) * structure[26];
-    const real_t t54 = TB_C(13.86750490563073) * structure[28];
+    const real_t t50 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t51 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t t52 = t7 * (TB_MOMENT_WEIGHT * structure[24]) + structure[1] * t51;
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t54 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t55 = t52 + structure[2] * t53 + structure[3] * t50 + structure[4] * t54;
-    const real_t t56 = TB_C(13.86750490563073) * structure[29];
-    const real_t t57 = TB_C(13.86750490563073) * structure[30];
-    const real_t t58 = TB_C(13.86750490563073) * structure[31];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t t57 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t t58 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t59 = t55 + structure[5] * t56 + structure[6] * t57 + structure[7] * t58;
     const real_t t60 = t11 * t59;
     const real_t t61 = t50 - structure[3] * t60;
@@ -135,15 +136,15 @@ static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_
     const real_t t85 = TB_SQRT(t84);
     const real_t t86 = TB_COPYSIGN(t85, t79);
     const real_t t87 = TB_ABS(t86);
-    const real_t t88 = TB_C(13.86750490563073) * structure[36];
-    const real_t t89 = TB_C(13.86750490563073) * structure[33];
-    const real_t t90 = t7 * (TB_C(13.86750490563073) * structure[32]) + structure[1] * t89;
-    const real_t t91 = TB_C(13.86750490563073) * structure[34];
-    const real_t t92 = TB_C(13.86750490563073) * structure[35];
+    const real_t t88 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t89 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t90 = t7 * (TB_MOMENT_WEIGHT * structure[32]) + structure[1] * t89;
+    const real_t t91 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t92 = TB_MOMENT_WEIGHT * structure[35];
     const real_t t93 = t90 + structure[2] * t91 + structure[3] * t92 + structure[4] * t88;
-    const real_t t94 = TB_C(13.86750490563073) * structure[37];
-    const real_t t95 = TB_C(13.86750490563073) * structure[38];
-    const real_t t96 = TB_C(13.86750490563073) * structure[39];
+    const real_t t94 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t95 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t96 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t97 = t93 + structure[5] * t94 + structure[6] * t95 + structure[7] * t96;
     const real_t t98 = t11 * t97;
     const real_t t99 = t88 - structure[4] * t98;
@@ -179,15 +180,15 @@ static tb_status tb_kernel_tension_begin(const real_t structure[48], const real_
     const real_t t129 = TB_COPYSIGN(t128, t123);
     const real_t t130 = TB_ABS(t129);
     const real_t t131 = tb_min(tb_min(tb_min(tb_min(t6, t23), t49), t87), t130);
-    const real_t t132 = TB_C(13.86750490563073) * structure[45];
-    const real_t t133 = TB_C(13.86750490563073) * structure[41];
-    const real_t t134 = t7 * (TB_C(13.86750490563073) * structure[40]) + structure[1] * t133;
-    const real_t t135 = TB_C(13.86750490563073) * structure[42];
-    const real_t t136 = TB_C(13.86750490563073) * structure[43];
-    const real_t t137 = TB_C(13.86750490563073) * structure[44];
+    const real_t t132 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t133 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t t134 = t7 * (TB_MOMENT_WEIGHT * structure[40]) + structure[1] * t133;
+    const real_t t135 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t t136 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t t137 = TB_MOMENT_WEIGHT * structure[44];
     const real_t t138 = t134 + structure[2] * t135 + structure[3] * t136 + structure[4] * t137;
-    const real_t t139 = TB_C(13.86750490563073) * structure[46];
-    const real_t t140 = TB_C(13.86750490563073) * structure[47];
+    const real_t t139 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t t140 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t141 = t138 + structure[5] * t132 + structure[6] * t139 + structure[7] * t140;
     const real_t t142 = t11 * t141;
     const real_t t143 = t132 - structure[5] * t142;
@@ -346,21 +347,21 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t92 = t4 ? t80 : TB_C(0.0);
     const real_t t93 = TB_COPYSIGN(t91, t92);
     const real_t t94 = tb_min(tb_min(TB_ABS(t27), TB_ABS(t54)), TB_ABS(t93));
-    const real_t t95 = TB_C(13.86750490563073) * structure[27];
-    const real_t t96 = TB_C(13.86750490563073) * structure[24];
-    const real_t t97 = TB_C(13.86750490563073) * structure[25];
+    const real_t t95 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t96 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t97 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t98 = t2 ? (t2 ? structure[1] * t97 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t99 = TB_C(13.86750490563073) * structure[26];
+    const real_t t99 = TB_MOMENT_WEIGHT * structure[26];
     const real_t t100 = t4 ? (t4 ? structure[2] * t99 : TB_C(0.0)) : TB_C(0.0);
     const real_t t101 = t6 ? (t6 ? structure[3] * t95 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t102 = TB_C(13.86750490563073) * structure[28];
+    const real_t t102 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t103 = t8 ? (t8 ? structure[4] * t102 : TB_C(0.0)) : TB_C(0.0);
     const real_t t104 = (t0 ? t28 * t96 : TB_C(0.0)) + t98 + t100 + t101 + t103;
-    const real_t t105 = TB_C(13.86750490563073) * structure[29];
+    const real_t t105 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t106 = t10 ? (t10 ? structure[5] * t105 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t107 = TB_C(13.86750490563073) * structure[30];
+    const real_t t107 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t108 = t12 ? (t12 ? structure[6] * t107 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t109 = TB_C(13.86750490563073) * structure[31];
+    const real_t t109 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t110 = t14 ? (t14 ? structure[7] * t109 : TB_C(0.0)) : TB_C(0.0);
     const real_t t111 = t37 * (t104 + t106 + t108 + t110);
     const real_t t112 = t95 - structure[3] * t111;
@@ -406,21 +407,21 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t149 = TB_SQRT(t142 + t144 + t146 + t148);
     const real_t t150 = t6 ? t140 : TB_C(0.0);
     const real_t t151 = TB_COPYSIGN(t149, t150);
-    const real_t t152 = TB_C(13.86750490563073) * structure[36];
-    const real_t t153 = TB_C(13.86750490563073) * structure[32];
-    const real_t t154 = TB_C(13.86750490563073) * structure[33];
+    const real_t t152 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t153 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t154 = TB_MOMENT_WEIGHT * structure[33];
     const real_t t155 = t2 ? (t2 ? structure[1] * t154 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t156 = TB_C(13.86750490563073) * structure[34];
+    const real_t t156 = TB_MOMENT_WEIGHT * structure[34];
     const real_t t157 = t4 ? (t4 ? structure[2] * t156 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t158 = TB_C(13.86750490563073) * structure[35];
+    const real_t t158 = TB_MOMENT_WEIGHT * structure[35];
     const real_t t159 = t6 ? (t6 ? structure[3] * t158 : TB_C(0.0)) : TB_C(0.0);
     const real_t t160 = (t0 ? t28 * t153 : TB_C(0.0)) + t155 + t157 + t159;
     const real_t t161 = t8 ? (t8 ? structure[4] * t152 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t162 = TB_C(13.86750490563073) * structure[37];
+    const real_t t162 = TB_MOMENT_WEIGHT * structure[37];
     const real_t t163 = t10 ? (t10 ? structure[5] * t162 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t164 = TB_C(13.86750490563073) * structure[38];
+    const real_t t164 = TB_MOMENT_WEIGHT * structure[38];
     const real_t t165 = t12 ? (t12 ? structure[6] * t164 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t166 = TB_C(13.86750490563073) * structure[39];
+    const real_t t166 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t167 = t14 ? (t14 ? structure[7] * t166 : TB_C(0.0)) : TB_C(0.0);
     const real_t t168 = t37 * (t160 + t161 + t163 + t165 + t167);
     const real_t t169 = t152 - structure[4] * t168;
@@ -475,21 +476,21 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t215 = TB_SQRT(t210 + t212 + t214);
     const real_t t216 = t8 ? t207 : TB_C(0.0);
     const real_t t217 = TB_COPYSIGN(t215, t216);
-    const real_t t218 = TB_C(13.86750490563073) * structure[45];
-    const real_t t219 = TB_C(13.86750490563073) * structure[40];
-    const real_t t220 = TB_C(13.86750490563073) * structure[41];
+    const real_t t218 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t219 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t220 = TB_MOMENT_WEIGHT * structure[41];
     const real_t t221 = t2 ? (t2 ? structure[1] * t220 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t222 = TB_C(13.86750490563073) * structure[42];
+    const real_t t222 = TB_MOMENT_WEIGHT * structure[42];
     const real_t t223 = t4 ? (t4 ? structure[2] * t222 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t224 = TB_C(13.86750490563073) * structure[43];
+    const real_t t224 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t225 = t6 ? (t6 ? structure[3] * t224 : TB_C(0.0)) : TB_C(0.0);
     const real_t t226 = (t0 ? t28 * t219 : TB_C(0.0)) + t221 + t223 + t225;
-    const real_t t227 = TB_C(13.86750490563073) * structure[44];
+    const real_t t227 = TB_MOMENT_WEIGHT * structure[44];
     const real_t t228 = t8 ? (t8 ? structure[4] * t227 : TB_C(0.0)) : TB_C(0.0);
     const real_t t229 = t10 ? (t10 ? structure[5] * t218 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t230 = TB_C(13.86750490563073) * structure[46];
+    const real_t t230 = TB_MOMENT_WEIGHT * structure[46];
     const real_t t231 = t12 ? (t12 ? structure[6] * t230 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t232 = TB_C(13.86750490563073) * structure[47];
+    const real_t t232 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t233 = t14 ? (t14 ? structure[7] * t232 : TB_C(0.0)) : TB_C(0.0);
     const real_t t234 = t37 * (t226 + t228 + t229 + t231 + t233);
     const real_t t235 = t218 - structure[5] * t234;
@@ -554,23 +555,23 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const bool t291 = TB_C(0.0) <= moving[0];
     const real_t t292 = TB_C(1.0) / t27;
     const real_t t293 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t294 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t295 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t296 = structure[0] * t293 + structure[1] * t294 + structure[2] * t295;
     const real_t t297 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t298 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t299 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t300 = t296 + structure[3] * t297 + structure[4] * t298 + structure[5] * t299;
     const real_t t301 = TB_C(0.0) < side[6] ? TB_C(1000000000000.0) : (side[6] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t302 = TB_C(0.0) < side[7] ? TB_C(1000000000000.0) : (side[7] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t303 = wrench[0] - (t300 + structure[6] * t301 + structure[7] * t302);
     const real_t t304 = t303 * t292;
     const real_t t305 = (t0 ? structure[8] : TB_C(0.0)) - t28 * t38;
@@ -590,7 +591,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t319 = (t318 + t311 * t312) * t313;
     const real_t t320 = (t4 ? t128 : TB_C(0.0)) - t127 * t139;
     const real_t t321 = TB_C(1.0) / t151;
-    const real_t t322 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t322 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t323 = t96 * t293 + t97 * t294 + t99 * t295 + t95 * t297;
     const real_t t324 = t323 + t102 * t298 + t105 * t299 + t107 * t301 + t109 * t302;
     const real_t t325 = (t0 ? t96 : TB_C(0.0)) - t28 * t111;
@@ -599,7 +600,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t328 = t327 * t321;
     const real_t t329 = (t6 ? t197 : TB_C(0.0)) - t196 * t206;
     const real_t t330 = TB_C(1.0) / t217;
-    const real_t t331 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t331 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t332 = t153 * t293 + t154 * t294 + t156 * t295 + t158 * t297;
     const real_t t333 = t332 + t152 * t298 + t162 * t299 + t164 * t301 + t166 * t302;
     const real_t t334 = (t0 ? t153 : TB_C(0.0)) - t28 * t168;
@@ -609,7 +610,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t338 = (t337 + t328 * t329) * t330;
     const real_t t339 = (t8 ? t273 : TB_C(0.0)) - t272 * t280;
     const real_t t340 = TB_C(1.0) / t287;
-    const real_t t341 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t341 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t342 = t219 * t293 + t220 * t294 + t222 * t295 + t224 * t297;
     const real_t t343 = t342 + t227 * t298 + t218 * t299 + t230 * t301 + t232 * t302;
     const real_t t344 = (t0 ? t219 : TB_C(0.0)) - t28 * t234;
@@ -627,35 +628,35 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t356 = t292 * (t355 + t344 * t349);
     const real_t t357 = structure[4] * t356 + structure[12] * t354 + structure[20] * t352;
     const real_t t358 = t357 + t102 * t351 + t152 * t350 + t227 * t349;
-    const real_t t359 = tb_max(TB_C(0.5) - t358, t358 - TB_C(1000000000000.0));
+    const real_t t359 = tb_max(TB_TENSION_MIN - t358, t358 - TB_C(1000000000000.0));
     const real_t t360 = TB_C(0.0) < t9 ? t359 : -TB_C(1.0);
     const real_t t361 = structure[5] * t356 + structure[13] * t354 + structure[21] * t352;
     const real_t t362 = t361 + t105 * t351 + t162 * t350 + t218 * t349;
-    const real_t t363 = tb_max(TB_C(0.5) - t362, t362 - TB_C(1000000000000.0));
+    const real_t t363 = tb_max(TB_TENSION_MIN - t362, t362 - TB_C(1000000000000.0));
     const real_t t364 = TB_C(0.0) < t11 ? t363 : -TB_C(1.0);
     const real_t t365 = structure[6] * t356 + structure[14] * t354 + structure[22] * t352;
     const real_t t366 = t365 + t107 * t351 + t164 * t350 + t230 * t349;
-    const real_t t367 = tb_max(TB_C(0.5) - t366, t366 - TB_C(1000000000000.0));
+    const real_t t367 = tb_max(TB_TENSION_MIN - t366, t366 - TB_C(1000000000000.0));
     const real_t t368 = TB_C(0.0) < t13 ? t367 : -TB_C(1.0);
     const real_t t369 = structure[7] * t356 + structure[15] * t354 + structure[23] * t352;
     const real_t t370 = t369 + t109 * t351 + t166 * t350 + t232 * t349;
-    const real_t t371 = tb_max(TB_C(0.5) - t370, t370 - TB_C(1000000000000.0));
+    const real_t t371 = tb_max(TB_TENSION_MIN - t370, t370 - TB_C(1000000000000.0));
     const real_t t372 = TB_C(0.0) < t15 ? t371 : -TB_C(1.0);
     const real_t t373 = structure[0] * t356 + structure[8] * t354 + structure[16] * t352;
     const real_t t374 = t373 + t96 * t351 + t153 * t350 + t219 * t349;
-    const real_t t375 = tb_max(TB_C(0.5) - t374, t374 - TB_C(1000000000000.0));
+    const real_t t375 = tb_max(TB_TENSION_MIN - t374, t374 - TB_C(1000000000000.0));
     const real_t t376 = TB_C(0.0) < t1 ? t375 : -TB_C(1.0);
     const real_t t377 = structure[1] * t356 + structure[9] * t354 + structure[17] * t352;
     const real_t t378 = t377 + t97 * t351 + t154 * t350 + t220 * t349;
-    const real_t t379 = tb_max(TB_C(0.5) - t378, t378 - TB_C(1000000000000.0));
+    const real_t t379 = tb_max(TB_TENSION_MIN - t378, t378 - TB_C(1000000000000.0));
     const real_t t380 = TB_C(0.0) < t3 ? t379 : -TB_C(1.0);
     const real_t t381 = structure[2] * t356 + structure[10] * t354 + structure[18] * t352;
     const real_t t382 = t381 + t99 * t351 + t156 * t350 + t222 * t349;
-    const real_t t383 = tb_max(TB_C(0.5) - t382, t382 - TB_C(1000000000000.0));
+    const real_t t383 = tb_max(TB_TENSION_MIN - t382, t382 - TB_C(1000000000000.0));
     const real_t t384 = TB_C(0.0) < t5 ? t383 : -TB_C(1.0);
     const real_t t385 = structure[3] * t356 + structure[11] * t354 + structure[19] * t352;
     const real_t t386 = t385 + t95 * t351 + t158 * t350 + t224 * t349;
-    const real_t t387 = tb_max(TB_C(0.5) - t386, t386 - TB_C(1000000000000.0));
+    const real_t t387 = tb_max(TB_TENSION_MIN - t386, t386 - TB_C(1000000000000.0));
     const real_t t388 = TB_C(0.0) < t7 ? t387 : -TB_C(1.0);
     real_t t389, t390, t391, t392, t393, t394, t395, t396;
     if (t291) {
@@ -798,7 +799,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const bool t478 = t477 < TB_C(500000000000.25);
     real_t t479;
     if (t16 && t290 * t290 < t476) {
-        const real_t t480 = t478 ? TB_C(0.5) - t477 : t477 - TB_C(1000000000000.0);
+        const real_t t480 = t478 ? TB_TENSION_MIN - t477 : t477 - TB_C(1000000000000.0);
         t479 = tb_max(t480, TB_C(0.0)) * (TB_C(1.0) / t476);
     } else {
         t479 = TB_C(1e+30);
@@ -874,7 +875,7 @@ static tb_status tb_kernel_tension_step(const real_t structure[48], const real_t
     const real_t t509 = tb_max(tb_max(tb_max(tb_max(t376, t380), t384), t388), t360);
     const real_t t510 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t511 = t510 + TB_ABS(t322) + TB_ABS(t331) + TB_ABS(t341);
-    const real_t t512 = t289 * (TB_EPSILON * TB_C(8.0) * (TB_C(0.5) + t511));
+    const real_t t512 = t289 * (TB_EPSILON * TB_C(8.0) * (TB_TENSION_MIN + t511));
     const bool t513 = tb_max(tb_max(tb_max(t509, t364), t368), t372) <= t512;
     const bool t514 = (!t291 && t513) || !(tb_min(t479, t507) < TB_C(1e+30));
     const real_t t515 = t508 && !t514 ? t400 : -TB_C(1.0);
@@ -936,23 +937,23 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t pivot[1], const real_t side[8], real_t tension[8])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t1 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t2 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t3 = t0 * structure[0] + structure[1] * t1 + structure[2] * t2;
     const real_t t4 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t5 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t6 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t7 = t3 + structure[3] * t4 + structure[4] * t5 + structure[5] * t6;
     const real_t t8 = TB_C(0.0) < side[6] ? TB_C(1000000000000.0) : (side[6] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t9 = TB_C(0.0) < side[7] ? TB_C(1000000000000.0) : (side[7] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t10 = wrench[0] - (t7 + structure[6] * t8 + structure[7] * t9);
     const bool t11 = TB_C(0.0) == side[0];
     const real_t t12 = t11 ? (t11 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
@@ -1057,21 +1058,21 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t108 = TB_COPYSIGN(t106, t107);
     const real_t t109 = TB_C(1.0) / t108;
     const real_t t110 = (t93 + t31 * t94 + t64 * t90) * t109;
-    const real_t t111 = TB_C(13.86750490563073) * structure[26];
-    const real_t t112 = TB_C(13.86750490563073) * structure[24];
-    const real_t t113 = TB_C(13.86750490563073) * structure[25];
+    const real_t t111 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t112 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t113 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t114 = t13 ? (t13 ? structure[1] * t113 : TB_C(0.0)) : TB_C(0.0);
     const real_t t115 = t15 ? (t15 ? structure[2] * t111 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t116 = TB_C(13.86750490563073) * structure[27];
+    const real_t t116 = TB_MOMENT_WEIGHT * structure[27];
     const real_t t117 = t17 ? (t17 ? structure[3] * t116 : TB_C(0.0)) : TB_C(0.0);
     const real_t t118 = (t11 ? t32 * t112 : TB_C(0.0)) + t114 + t115 + t117;
-    const real_t t119 = TB_C(13.86750490563073) * structure[28];
+    const real_t t119 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t120 = t19 ? (t19 ? structure[4] * t119 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t121 = TB_C(13.86750490563073) * structure[29];
+    const real_t t121 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t122 = t21 ? (t21 ? structure[5] * t121 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t123 = TB_C(13.86750490563073) * structure[30];
+    const real_t t123 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t124 = t23 ? (t23 ? structure[6] * t123 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t125 = TB_C(13.86750490563073) * structure[31];
+    const real_t t125 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t126 = t25 ? (t25 ? structure[7] * t125 : TB_C(0.0)) : TB_C(0.0);
     const real_t t127 = t41 * (t118 + t120 + t122 + t124 + t126);
     const real_t t128 = t111 - structure[2] * t127;
@@ -1105,7 +1106,7 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t154 = TB_C(1.0) / (t106 * (t106 + TB_ABS(t107)));
     const real_t t155 = (t147 + t149 + t151 + t153) * t154;
     const real_t t156 = (t15 ? t142 : TB_C(0.0)) - t143 * t155;
-    const real_t t157 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t157 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t158 = t0 * t112 + t1 * t113 + t2 * t111 + t4 * t116 + t5 * t119;
     const real_t t159 = t157 - (t158 + t6 * t121 + t8 * t123 + t9 * t125);
     const real_t t160 = (t11 ? t112 : TB_C(0.0)) - t32 * t127;
@@ -1125,21 +1126,21 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t174 = TB_COPYSIGN(t172, t173);
     const real_t t175 = TB_C(1.0) / t174;
     const real_t t176 = (t159 + t31 * t160 + t64 * t161 + t110 * t156) * t175;
-    const real_t t177 = TB_C(13.86750490563073) * structure[35];
-    const real_t t178 = TB_C(13.86750490563073) * structure[32];
-    const real_t t179 = TB_C(13.86750490563073) * structure[33];
+    const real_t t177 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t178 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t179 = TB_MOMENT_WEIGHT * structure[33];
     const real_t t180 = t13 ? (t13 ? structure[1] * t179 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t181 = TB_C(13.86750490563073) * structure[34];
+    const real_t t181 = TB_MOMENT_WEIGHT * structure[34];
     const real_t t182 = t15 ? (t15 ? structure[2] * t181 : TB_C(0.0)) : TB_C(0.0);
     const real_t t183 = t17 ? (t17 ? structure[3] * t177 : TB_C(0.0)) : TB_C(0.0);
     const real_t t184 = (t11 ? t32 * t178 : TB_C(0.0)) + t180 + t182 + t183;
-    const real_t t185 = TB_C(13.86750490563073) * structure[36];
+    const real_t t185 = TB_MOMENT_WEIGHT * structure[36];
     const real_t t186 = t19 ? (t19 ? structure[4] * t185 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t187 = TB_C(13.86750490563073) * structure[37];
+    const real_t t187 = TB_MOMENT_WEIGHT * structure[37];
     const real_t t188 = t21 ? (t21 ? structure[5] * t187 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t189 = TB_C(13.86750490563073) * structure[38];
+    const real_t t189 = TB_MOMENT_WEIGHT * structure[38];
     const real_t t190 = t23 ? (t23 ? structure[6] * t189 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t191 = TB_C(13.86750490563073) * structure[39];
+    const real_t t191 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t192 = t25 ? (t25 ? structure[7] * t191 : TB_C(0.0)) : TB_C(0.0);
     const real_t t193 = t41 * (t184 + t186 + t188 + t190 + t192);
     const real_t t194 = t177 - structure[3] * t193;
@@ -1184,7 +1185,7 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t231 = TB_C(1.0) / (t172 * (t172 + TB_ABS(t173)));
     const real_t t232 = (t228 + t230) * t231;
     const real_t t233 = (t17 ? t220 : TB_C(0.0)) - t221 * t232;
-    const real_t t234 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t234 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t235 = t0 * t178 + t1 * t179 + t2 * t181 + t4 * t177 + t5 * t185;
     const real_t t236 = t234 - (t235 + t6 * t187 + t8 * t189 + t9 * t191);
     const real_t t237 = (t11 ? t178 : TB_C(0.0)) - t32 * t193;
@@ -1204,21 +1205,21 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t251 = TB_COPYSIGN(t249, t250);
     const real_t t252 = TB_C(1.0) / t251;
     const real_t t253 = t240 * t252;
-    const real_t t254 = TB_C(13.86750490563073) * structure[44];
-    const real_t t255 = TB_C(13.86750490563073) * structure[40];
-    const real_t t256 = TB_C(13.86750490563073) * structure[41];
+    const real_t t254 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t t255 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t256 = TB_MOMENT_WEIGHT * structure[41];
     const real_t t257 = t13 ? (t13 ? structure[1] * t256 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t258 = TB_C(13.86750490563073) * structure[42];
+    const real_t t258 = TB_MOMENT_WEIGHT * structure[42];
     const real_t t259 = t15 ? (t15 ? structure[2] * t258 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t260 = TB_C(13.86750490563073) * structure[43];
+    const real_t t260 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t261 = t17 ? (t17 ? structure[3] * t260 : TB_C(0.0)) : TB_C(0.0);
     const real_t t262 = (t11 ? t32 * t255 : TB_C(0.0)) + t257 + t259 + t261;
     const real_t t263 = t19 ? (t19 ? structure[4] * t254 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t264 = TB_C(13.86750490563073) * structure[45];
+    const real_t t264 = TB_MOMENT_WEIGHT * structure[45];
     const real_t t265 = t21 ? (t21 ? structure[5] * t264 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t266 = TB_C(13.86750490563073) * structure[46];
+    const real_t t266 = TB_MOMENT_WEIGHT * structure[46];
     const real_t t267 = t23 ? (t23 ? structure[6] * t266 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t268 = TB_C(13.86750490563073) * structure[47];
+    const real_t t268 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t269 = t25 ? (t25 ? structure[7] * t268 : TB_C(0.0)) : TB_C(0.0);
     const real_t t270 = t41 * (t262 + t263 + t265 + t267 + t269);
     const real_t t271 = t254 - structure[4] * t270;
@@ -1271,7 +1272,7 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t316 = (t19 ? t308 * t309 : TB_C(0.0)) + t311 + t313 + t315;
     const real_t t317 = t316 * (TB_C(1.0) / (t249 * (t249 + TB_ABS(t250))));
     const real_t t318 = (t19 ? t308 : TB_C(0.0)) - t309 * t317;
-    const real_t t319 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t319 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t320 = t0 * t255 + t1 * t256 + t2 * t258 + t4 * t260 + t5 * t254;
     const real_t t321 = t319 - (t320 + t6 * t264 + t8 * t266 + t9 * t268);
     const real_t t322 = (t11 ? t255 : TB_C(0.0)) - t32 * t270;
@@ -1397,19 +1398,19 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t421 = tb_max(TB_C(0.0), t418) * tb_min(TB_C(1.0), t420);
     const real_t t422 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t423 = t422 + TB_ABS(t157) + TB_ABS(t234) + TB_ABS(t319);
-    const real_t t424 = TB_C(0.5) + t423;
+    const real_t t424 = TB_TENSION_MIN + t423;
     const real_t t425 = tb_max(tb_max(TB_ABS(t342), TB_ABS(t340)), TB_ABS(t338));
     const real_t t426 = tb_max(tb_max(tb_max(t425, TB_ABS(t337)), TB_ABS(t336)), TB_ABS(t335));
-    const real_t t427 = tb_min(tb_max(t11 ? t400 : t0, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t428 = tb_min(tb_max(t13 ? t402 : t1, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t429 = tb_min(tb_max(t15 ? t405 : t2, TB_C(0.5)), TB_C(1000000000000.0));
+    const real_t t427 = tb_min(tb_max(t11 ? t400 : t0, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t428 = tb_min(tb_max(t13 ? t402 : t1, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t429 = tb_min(tb_max(t15 ? t405 : t2, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t430 = structure[0] * t427 + structure[1] * t428 + structure[2] * t429;
-    const real_t t431 = tb_min(tb_max(t17 ? t407 : t4, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t432 = tb_min(tb_max(t19 ? t410 : t5, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t433 = tb_min(tb_max(t21 ? t412 : t6, TB_C(0.5)), TB_C(1000000000000.0));
+    const real_t t431 = tb_min(tb_max(t17 ? t407 : t4, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t432 = tb_min(tb_max(t19 ? t410 : t5, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t433 = tb_min(tb_max(t21 ? t412 : t6, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t434 = t430 + structure[3] * t431 + structure[4] * t432 + structure[5] * t433;
-    const real_t t435 = tb_min(tb_max(t23 ? t415 : t8, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t436 = tb_min(tb_max(t25 ? t417 : t9, TB_C(0.5)), TB_C(1000000000000.0));
+    const real_t t435 = tb_min(tb_max(t23 ? t415 : t8, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t436 = tb_min(tb_max(t25 ? t417 : t9, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t437 = t434 + structure[6] * t435 + structure[7] * t436 - wrench[0];
     const real_t t438 = tb_max(t421 * t424 * (TB_C(1.0) / tb_max(t424, t426)), TB_ABS(t437));
     const real_t t439 = structure[8] * t427 + structure[9] * t428 + structure[10] * t429;
@@ -1433,14 +1434,14 @@ static tb_status tb_kernel_tension_finish(const real_t structure[48], const real
     const real_t t456 = tb_min(t455 * (TB_C(1.0) / pivot[0]), TB_C(0.008));
     const bool t457 = tb_max(t451, TB_ABS(t453 - t319)) <= t456;
     const bool t458 = !t457;
-    const real_t tension_0 = t457 ? t427 : TB_C(0.5);
-    const real_t tension_1 = t457 ? t428 : TB_C(0.5);
-    const real_t tension_2 = t457 ? t429 : TB_C(0.5);
-    const real_t tension_3 = t457 ? t431 : TB_C(0.5);
-    const real_t tension_4 = t457 ? t432 : TB_C(0.5);
-    const real_t tension_5 = t457 ? t433 : TB_C(0.5);
-    const real_t tension_6 = t457 ? t435 : TB_C(0.5);
-    const real_t tension_7 = t457 ? t436 : TB_C(0.5);
+    const real_t tension_0 = t457 ? t427 : TB_TENSION_MIN;
+    const real_t tension_1 = t457 ? t428 : TB_TENSION_MIN;
+    const real_t tension_2 = t457 ? t429 : TB_TENSION_MIN;
+    const real_t tension_3 = t457 ? t431 : TB_TENSION_MIN;
+    const real_t tension_4 = t457 ? t432 : TB_TENSION_MIN;
+    const real_t tension_5 = t457 ? t433 : TB_TENSION_MIN;
+    const real_t tension_6 = t457 ? t435 : TB_TENSION_MIN;
+    const real_t tension_7 = t457 ? t436 : TB_TENSION_MIN;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -1468,14 +1469,14 @@ tb_status tb_kernel_tension(const real_t structure[48], const real_t wrench[6],
         status = TB_INACCURATE;
     }
     if (status != TB_OK) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
+        tension[6] = TB_TENSION_MIN;
+        tension[7] = TB_TENSION_MIN;
         return status;
     }
     return tb_kernel_tension_finish(structure, wrench, pivot, side, tension);
@@ -1573,50 +1574,50 @@ static tb_status tb_reduced_matrix_tension_begin(const real_t structure[48], con
         cables[5] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
-    const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
-    const real_t weighed_26 = TB_C(13.86750490563073) * structure[26];
-    const real_t weighed_27 = TB_C(13.86750490563073) * structure[27];
-    const real_t weighed_28 = TB_C(13.86750490563073) * structure[28];
-    const real_t weighed_29 = TB_C(13.86750490563073) * structure[29];
-    const real_t weighed_30 = TB_C(13.86750490563073) * structure[30];
-    const real_t weighed_31 = TB_C(13.86750490563073) * structure[31];
-    const real_t weighed_32 = TB_C(13.86750490563073) * structure[32];
-    const real_t weighed_33 = TB_C(13.86750490563073) * structure[33];
-    const real_t weighed_34 = TB_C(13.86750490563073) * structure[34];
-    const real_t weighed_35 = TB_C(13.86750490563073) * structure[35];
-    const real_t weighed_36 = TB_C(13.86750490563073) * structure[36];
-    const real_t weighed_37 = TB_C(13.86750490563073) * structure[37];
-    const real_t weighed_38 = TB_C(13.86750490563073) * structure[38];
-    const real_t weighed_39 = TB_C(13.86750490563073) * structure[39];
-    const real_t weighed_40 = TB_C(13.86750490563073) * structure[40];
-    const real_t weighed_41 = TB_C(13.86750490563073) * structure[41];
-    const real_t weighed_42 = TB_C(13.86750490563073) * structure[42];
-    const real_t weighed_43 = TB_C(13.86750490563073) * structure[43];
-    const real_t weighed_44 = TB_C(13.86750490563073) * structure[44];
-    const real_t weighed_45 = TB_C(13.86750490563073) * structure[45];
-    const real_t weighed_46 = TB_C(13.86750490563073) * structure[46];
-    const real_t weighed_47 = TB_C(13.86750490563073) * structure[47];
+    const real_t weighed_24 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t weighed_25 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t weighed_26 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t weighed_27 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t weighed_28 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t weighed_29 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t weighed_30 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t weighed_31 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t weighed_32 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t weighed_33 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t weighed_34 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t weighed_35 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t weighed_36 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t weighed_37 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t weighed_38 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t weighed_39 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t weighed_40 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t weighed_41 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t weighed_42 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t weighed_43 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t weighed_44 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t weighed_45 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t weighed_46 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t weighed_47 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t0 = structure[3] + (structure[2] + (structure[0] + structure[1]));
     const real_t t1 = structure[6] + (structure[5] + (structure[4] + t0));
-    const real_t rest_0 = wrench[0] - TB_C(0.5) * (structure[7] + t1);
+    const real_t rest_0 = wrench[0] - TB_TENSION_MIN * (structure[7] + t1);
     const real_t t2 = structure[11] + (structure[10] + (structure[8] + structure[9]));
     const real_t t3 = structure[14] + (structure[13] + (structure[12] + t2));
-    const real_t rest_1 = wrench[1] - TB_C(0.5) * (structure[15] + t3);
+    const real_t rest_1 = wrench[1] - TB_TENSION_MIN * (structure[15] + t3);
     const real_t t4 = structure[19] + (structure[18] + (structure[16] + structure[17]));
     const real_t t5 = structure[22] + (structure[21] + (structure[20] + t4));
-    const real_t rest_2 = wrench[2] - TB_C(0.5) * (structure[23] + t5);
+    const real_t rest_2 = wrench[2] - TB_TENSION_MIN * (structure[23] + t5);
     const real_t t6 = structure[27] + (structure[26] + (structure[24] + structure[25]));
     const real_t t7 = structure[30] + (structure[29] + (structure[28] + t6));
-    const real_t rest_3 = TB_C(13.86750490563073) * (wrench[3] - TB_C(0.5) * (structure[31] +
+    const real_t rest_3 = TB_MOMENT_WEIGHT * (wrench[3] - TB_TENSION_MIN * (structure[31] +
         t7));
     const real_t t8 = structure[35] + (structure[34] + (structure[32] + structure[33]));
     const real_t t9 = structure[38] + (structure[37] + (structure[36] + t8));
-    const real_t rest_4 = TB_C(13.86750490563073) * (wrench[4] - TB_C(0.5) * (structure[39] +
+    const real_t rest_4 = TB_MOMENT_WEIGHT * (wrench[4] - TB_TENSION_MIN * (structure[39] +
         t9));
     const real_t t10 = structure[43] + (structure[42] + (structure[40] + structure[41]));
     const real_t t11 = structure[46] + (structure[45] + (structure[44] + t10));
-    const real_t rest_5 = TB_C(13.86750490563073) * (wrench[5] - TB_C(0.5) * (structure[47] +
+    const real_t rest_5 = TB_MOMENT_WEIGHT * (wrench[5] - TB_TENSION_MIN * (structure[47] +
         t11));
     weighed[0] = structure[0];
     weighed[1] = structure[1];
@@ -1903,56 +1904,56 @@ static tb_status tb_reduced_matrix_tension_finish(const real_t least[1], const r
     const real_t t7 = tb_max(best[5], TB_C(0.0));
     const real_t t8 = t5 + (TB_C(0.0) == cables[4] ? t6 : TB_C(0.0)) + (TB_C(0.0) == cables[5]
         ? t7 : TB_C(0.0));
-    const real_t tension_0 = TB_C(0.5) + t8;
+    const real_t tension_0 = TB_TENSION_MIN + t8;
     const real_t t9 = (cables[0] == TB_C(1.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(1.0) ? t1
         : TB_C(0.0));
     const real_t t10 = t9 + (cables[2] == TB_C(1.0) ? t3 : TB_C(0.0)) + (cables[3] == TB_C(1.0)
         ? t4 : TB_C(0.0));
     const real_t t11 = t10 + (cables[4] == TB_C(1.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(1.0) ? t7 : TB_C(0.0));
-    const real_t tension_1 = TB_C(0.5) + t11;
+    const real_t tension_1 = TB_TENSION_MIN + t11;
     const real_t t12 = (cables[0] == TB_C(2.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(2.0) ? t1
         : TB_C(0.0));
     const real_t t13 = t12 + (cables[2] == TB_C(2.0) ? t3 : TB_C(0.0)) + (cables[3] ==
         TB_C(2.0) ? t4 : TB_C(0.0));
     const real_t t14 = t13 + (cables[4] == TB_C(2.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(2.0) ? t7 : TB_C(0.0));
-    const real_t tension_2 = TB_C(0.5) + t14;
+    const real_t tension_2 = TB_TENSION_MIN + t14;
     const real_t t15 = (cables[0] == TB_C(3.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(3.0) ? t1
         : TB_C(0.0));
     const real_t t16 = t15 + (cables[2] == TB_C(3.0) ? t3 : TB_C(0.0)) + (cables[3] ==
         TB_C(3.0) ? t4 : TB_C(0.0));
     const real_t t17 = t16 + (cables[4] == TB_C(3.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(3.0) ? t7 : TB_C(0.0));
-    const real_t tension_3 = TB_C(0.5) + t17;
+    const real_t tension_3 = TB_TENSION_MIN + t17;
     const real_t t18 = (cables[0] == TB_C(4.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(4.0) ? t1
         : TB_C(0.0));
     const real_t t19 = t18 + (cables[2] == TB_C(4.0) ? t3 : TB_C(0.0)) + (cables[3] ==
         TB_C(4.0) ? t4 : TB_C(0.0));
     const real_t t20 = t19 + (cables[4] == TB_C(4.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(4.0) ? t7 : TB_C(0.0));
-    const real_t tension_4 = TB_C(0.5) + t20;
+    const real_t tension_4 = TB_TENSION_MIN + t20;
     const real_t t21 = (cables[0] == TB_C(5.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(5.0) ? t1
         : TB_C(0.0));
     const real_t t22 = t21 + (cables[2] == TB_C(5.0) ? t3 : TB_C(0.0)) + (cables[3] ==
         TB_C(5.0) ? t4 : TB_C(0.0));
     const real_t t23 = t22 + (cables[4] == TB_C(5.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(5.0) ? t7 : TB_C(0.0));
-    const real_t tension_5 = TB_C(0.5) + t23;
+    const real_t tension_5 = TB_TENSION_MIN + t23;
     const real_t t24 = (cables[0] == TB_C(6.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(6.0) ? t1
         : TB_C(0.0));
     const real_t t25 = t24 + (cables[2] == TB_C(6.0) ? t3 : TB_C(0.0)) + (cables[3] ==
         TB_C(6.0) ? t4 : TB_C(0.0));
     const real_t t26 = t25 + (cables[4] == TB_C(6.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(6.0) ? t7 : TB_C(0.0));
-    const real_t tension_6 = TB_C(0.5) + t26;
+    const real_t tension_6 = TB_TENSION_MIN + t26;
     const real_t t27 = (cables[0] == TB_C(7.0) ? t0 : TB_C(0.0)) + (cables[1] == TB_C(7.0) ? t1
         : TB_C(0.0));
     const real_t t28 = t27 + (cables[2] == TB_C(7.0) ? t3 : TB_C(0.0)) + (cables[3] ==
         TB_C(7.0) ? t4 : TB_C(0.0));
     const real_t t29 = t28 + (cables[4] == TB_C(7.0) ? t6 : TB_C(0.0)) + (cables[5] ==
         TB_C(7.0) ? t7 : TB_C(0.0));
-    const real_t tension_7 = TB_C(0.5) + t29;
+    const real_t tension_7 = TB_TENSION_MIN + t29;
     const bool t30 = !(least[0] < TB_C(1e+30));
     tension[0] = tension_0;
     tension[1] = tension_1;
@@ -1982,14 +1983,14 @@ tb_status tb_reduced_matrix_tension(const real_t structure[48], const real_t wre
     const tb_status status = tb_reduced_matrix_tension_begin(structure, wrench, weighed, rest,
         least, best, cables);
     if (status != TB_OK) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
+        tension[6] = TB_TENSION_MIN;
+        tension[7] = TB_TENSION_MIN;
         return status;
     }
     for (int k = 0; k < 28; k++) {
@@ -2096,30 +2097,30 @@ static tb_status tb_largest_tensions_eq12_begin(const real_t structure[48], cons
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(8000.0))) {
         return tb_refuse_largest_tensions_eq12_begin(TB_OUT_OF_DOMAIN, weighed, most, least, size);
     }
-    const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
-    const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
-    const real_t weighed_26 = TB_C(13.86750490563073) * structure[26];
-    const real_t weighed_27 = TB_C(13.86750490563073) * structure[27];
-    const real_t weighed_28 = TB_C(13.86750490563073) * structure[28];
-    const real_t weighed_29 = TB_C(13.86750490563073) * structure[29];
-    const real_t weighed_30 = TB_C(13.86750490563073) * structure[30];
-    const real_t weighed_31 = TB_C(13.86750490563073) * structure[31];
-    const real_t weighed_32 = TB_C(13.86750490563073) * structure[32];
-    const real_t weighed_33 = TB_C(13.86750490563073) * structure[33];
-    const real_t weighed_34 = TB_C(13.86750490563073) * structure[34];
-    const real_t weighed_35 = TB_C(13.86750490563073) * structure[35];
-    const real_t weighed_36 = TB_C(13.86750490563073) * structure[36];
-    const real_t weighed_37 = TB_C(13.86750490563073) * structure[37];
-    const real_t weighed_38 = TB_C(13.86750490563073) * structure[38];
-    const real_t weighed_39 = TB_C(13.86750490563073) * structure[39];
-    const real_t weighed_40 = TB_C(13.86750490563073) * structure[40];
-    const real_t weighed_41 = TB_C(13.86750490563073) * structure[41];
-    const real_t weighed_42 = TB_C(13.86750490563073) * structure[42];
-    const real_t weighed_43 = TB_C(13.86750490563073) * structure[43];
-    const real_t weighed_44 = TB_C(13.86750490563073) * structure[44];
-    const real_t weighed_45 = TB_C(13.86750490563073) * structure[45];
-    const real_t weighed_46 = TB_C(13.86750490563073) * structure[46];
-    const real_t weighed_47 = TB_C(13.86750490563073) * structure[47];
+    const real_t weighed_24 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t weighed_25 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t weighed_26 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t weighed_27 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t weighed_28 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t weighed_29 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t weighed_30 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t weighed_31 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t weighed_32 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t weighed_33 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t weighed_34 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t weighed_35 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t weighed_36 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t weighed_37 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t weighed_38 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t weighed_39 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t weighed_40 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t weighed_41 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t weighed_42 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t weighed_43 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t weighed_44 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t weighed_45 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t weighed_46 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t weighed_47 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -2750,30 +2751,30 @@ static tb_status tb_largest_tension_begin(const real_t structure[48], const real
           && force[0] >= TB_C(0.0) && force[0] <= TB_C(8000.0))) {
         return tb_refuse_largest_tension_begin(TB_OUT_OF_DOMAIN, weighed, most, size);
     }
-    const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
-    const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
-    const real_t weighed_26 = TB_C(13.86750490563073) * structure[26];
-    const real_t weighed_27 = TB_C(13.86750490563073) * structure[27];
-    const real_t weighed_28 = TB_C(13.86750490563073) * structure[28];
-    const real_t weighed_29 = TB_C(13.86750490563073) * structure[29];
-    const real_t weighed_30 = TB_C(13.86750490563073) * structure[30];
-    const real_t weighed_31 = TB_C(13.86750490563073) * structure[31];
-    const real_t weighed_32 = TB_C(13.86750490563073) * structure[32];
-    const real_t weighed_33 = TB_C(13.86750490563073) * structure[33];
-    const real_t weighed_34 = TB_C(13.86750490563073) * structure[34];
-    const real_t weighed_35 = TB_C(13.86750490563073) * structure[35];
-    const real_t weighed_36 = TB_C(13.86750490563073) * structure[36];
-    const real_t weighed_37 = TB_C(13.86750490563073) * structure[37];
-    const real_t weighed_38 = TB_C(13.86750490563073) * structure[38];
-    const real_t weighed_39 = TB_C(13.86750490563073) * structure[39];
-    const real_t weighed_40 = TB_C(13.86750490563073) * structure[40];
-    const real_t weighed_41 = TB_C(13.86750490563073) * structure[41];
-    const real_t weighed_42 = TB_C(13.86750490563073) * structure[42];
-    const real_t weighed_43 = TB_C(13.86750490563073) * structure[43];
-    const real_t weighed_44 = TB_C(13.86750490563073) * structure[44];
-    const real_t weighed_45 = TB_C(13.86750490563073) * structure[45];
-    const real_t weighed_46 = TB_C(13.86750490563073) * structure[46];
-    const real_t weighed_47 = TB_C(13.86750490563073) * structure[47];
+    const real_t weighed_24 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t weighed_25 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t weighed_26 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t weighed_27 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t weighed_28 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t weighed_29 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t weighed_30 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t weighed_31 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t weighed_32 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t weighed_33 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t weighed_34 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t weighed_35 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t weighed_36 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t weighed_37 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t weighed_38 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t weighed_39 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t weighed_40 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t weighed_41 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t weighed_42 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t weighed_43 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t weighed_44 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t weighed_45 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t weighed_46 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t weighed_47 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -2978,7 +2979,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[48], const real
     weighed[45] = weighed_45;
     weighed[46] = weighed_46;
     weighed[47] = weighed_47;
-    most[0] = TB_C(0.5);
+    most[0] = TB_TENSION_MIN;
     size[0] = force[0];
     return TB_OK;
 }
@@ -3192,14 +3193,14 @@ static tb_status tb_largest_tension_visit(const real_t chosen[30], const real_t 
         const real_t t152 = (t149 + t151) * TB_C(0.5);
         const real_t t153 = size[0] * TB_SQRT(t104 * t104 + t105 * t105 + t106 * t106);
         const real_t t154 = TB_C(0.5) * (t149 - t151);
-        const real_t t155 = t153 + TB_C(0.5) * t154;
+        const real_t t155 = t153 + TB_TENSION_MIN * t154;
         real_t t156;
         if (t80 < t152) {
             t156 = t155 / t152;
         } else {
             t156 = t80 < t155 ? TB_C(1e+30) : TB_C(0.0);
         }
-        const real_t t157 = t153 + TB_C(0.5) * t152;
+        const real_t t157 = t153 + TB_TENSION_MIN * t152;
         real_t t158;
         if (t80 < t154) {
             t158 = t157 / t154;

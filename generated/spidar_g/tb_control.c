@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out <this folder>
  * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[8], real_t torque[8])
 {
@@ -18,14 +19,14 @@ tb_status tb_motor_torques(const real_t tension[8], real_t torque[8])
         torque[7] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
-    const real_t torque_3 = TB_C(0.005) * tension[3];
-    const real_t torque_4 = TB_C(0.005) * tension[4];
-    const real_t torque_5 = TB_C(0.005) * tension[5];
-    const real_t torque_6 = TB_C(0.005) * tension[6];
-    const real_t torque_7 = TB_C(0.005) * tension[7];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
+    const real_t torque_3 = TB_DRUM_RADIUS * tension[3];
+    const real_t torque_4 = TB_DRUM_RADIUS * tension[4];
+    const real_t torque_5 = TB_DRUM_RADIUS * tension[5];
+    const real_t torque_6 = TB_DRUM_RADIUS * tension[6];
+    const real_t torque_7 = TB_DRUM_RADIUS * tension[7];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;
@@ -67,14 +68,14 @@ tb_status tb_wall_force(const real_t pose[6], const real_t velocity[6], real_t f
 /* Refuses with a status: load is 0.5 N. */
 static tb_status tb_refuse_load_tension(tb_status status, real_t load[8])
 {
-    load[0] = TB_C(0.5);
-    load[1] = TB_C(0.5);
-    load[2] = TB_C(0.5);
-    load[3] = TB_C(0.5);
-    load[4] = TB_C(0.5);
-    load[5] = TB_C(0.5);
-    load[6] = TB_C(0.5);
-    load[7] = TB_C(0.5);
+    load[0] = TB_TENSION_MIN;
+    load[1] = TB_TENSION_MIN;
+    load[2] = TB_TENSION_MIN;
+    load[3] = TB_TENSION_MIN;
+    load[4] = TB_TENSION_MIN;
+    load[5] = TB_TENSION_MIN;
+    load[6] = TB_TENSION_MIN;
+    load[7] = TB_TENSION_MIN;
     return status;
 }
 
@@ -153,16 +154,16 @@ tb_status tb_load_tension(const real_t structure[48], const real_t tension[8],
     const real_t t44 = t43 + structure[22] * structure[22] + structure[23] * structure[23];
     const real_t t45 = t44 - t7 * (t34 * t34) - t24 * (t35 * t35);
     const real_t t46 = TB_C(1.0) / t45;
-    const real_t t47 = structure[24] * TB_C(13.86750490563073);
-    const real_t t48 = TB_C(13.86750490563073) * structure[25];
-    const real_t t49 = TB_C(13.86750490563073) * structure[26];
+    const real_t t47 = structure[24] * TB_MOMENT_WEIGHT;
+    const real_t t48 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t t49 = TB_MOMENT_WEIGHT * structure[26];
     const real_t t50 = structure[16] * t47 + structure[17] * t48 + structure[18] * t49;
-    const real_t t51 = TB_C(13.86750490563073) * structure[27];
-    const real_t t52 = TB_C(13.86750490563073) * structure[28];
-    const real_t t53 = TB_C(13.86750490563073) * structure[29];
+    const real_t t51 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t52 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t54 = t50 + structure[19] * t51 + structure[20] * t52 + structure[21] * t53;
-    const real_t t55 = TB_C(13.86750490563073) * structure[30];
-    const real_t t56 = TB_C(13.86750490563073) * structure[31];
+    const real_t t55 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t57 = structure[0] * t47 + structure[1] * t48 + structure[2] * t49;
     const real_t t58 = t57 + structure[3] * t51 + structure[4] * t52 + structure[5] * t53;
     const real_t t59 = t8 * (t58 + structure[6] * t55 + structure[7] * t56);
@@ -176,21 +177,21 @@ tb_status tb_load_tension(const real_t structure[48], const real_t tension[8],
     const real_t t67 = t66 + tension[2] * structure[26] + tension[3] * structure[27];
     const real_t t68 = t67 + tension[4] * structure[28] + tension[5] * structure[29];
     const real_t t69 = t68 + tension[6] * structure[30] + tension[7] * structure[31];
-    const real_t t70 = t14 * t59 - TB_C(13.86750490563073) * (hand_force[3] + t69);
+    const real_t t70 = t14 * t59 - TB_MOMENT_WEIGHT * (hand_force[3] + t69);
     const real_t t71 = t70 - t19 * t64 - t40 * t65;
     const real_t t72 = t47 * t47 + t48 * t48 + t49 * t49 + t51 * t51 + t52 * t52;
     const real_t t73 = t72 + t53 * t53 + t55 * t55 + t56 * t56 - t7 * (t59 * t59);
     const real_t t74 = t73 - t24 * (t64 * t64) - t45 * (t65 * t65);
     const real_t t75 = TB_C(1.0) / t74;
-    const real_t t76 = TB_C(13.86750490563073) * structure[32];
-    const real_t t77 = TB_C(13.86750490563073) * structure[33];
-    const real_t t78 = TB_C(13.86750490563073) * structure[34];
-    const real_t t79 = TB_C(13.86750490563073) * structure[35];
-    const real_t t80 = TB_C(13.86750490563073) * structure[36];
+    const real_t t76 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t77 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t78 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t79 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t80 = TB_MOMENT_WEIGHT * structure[36];
     const real_t t81 = t47 * t76 + t48 * t77 + t49 * t78 + t51 * t79 + t52 * t80;
-    const real_t t82 = TB_C(13.86750490563073) * structure[37];
-    const real_t t83 = TB_C(13.86750490563073) * structure[38];
-    const real_t t84 = TB_C(13.86750490563073) * structure[39];
+    const real_t t82 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t83 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t84 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t85 = structure[0] * t76 + structure[1] * t77 + structure[2] * t78;
     const real_t t86 = t85 + structure[3] * t79 + structure[4] * t80 + structure[5] * t82;
     const real_t t87 = t8 * (t86 + structure[6] * t83 + structure[7] * t84);
@@ -208,21 +209,21 @@ tb_status tb_load_tension(const real_t structure[48], const real_t tension[8],
     const real_t t99 = t98 + tension[2] * structure[34] + tension[3] * structure[35];
     const real_t t100 = t99 + tension[4] * structure[36] + tension[5] * structure[37];
     const real_t t101 = t100 + tension[6] * structure[38] + tension[7] * structure[39];
-    const real_t t102 = t14 * t87 - TB_C(13.86750490563073) * (hand_force[4] + t101);
+    const real_t t102 = t14 * t87 - TB_MOMENT_WEIGHT * (hand_force[4] + t101);
     const real_t t103 = t102 - t19 * t92 - t40 * t96 - t71 * t97;
     const real_t t104 = t76 * t76 + t77 * t77 + t78 * t78 + t79 * t79 + t80 * t80;
     const real_t t105 = t104 + t82 * t82 + t83 * t83 + t84 * t84 - t7 * (t87 * t87);
     const real_t t106 = t105 - t24 * (t92 * t92) - t45 * (t96 * t96) - t74 * (t97 * t97);
     const real_t t107 = TB_C(1.0) / t106;
-    const real_t t108 = TB_C(13.86750490563073) * structure[40];
-    const real_t t109 = TB_C(13.86750490563073) * structure[41];
-    const real_t t110 = TB_C(13.86750490563073) * structure[42];
-    const real_t t111 = TB_C(13.86750490563073) * structure[43];
+    const real_t t108 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t109 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t t110 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t t111 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t112 = t76 * t108 + t77 * t109 + t78 * t110 + t79 * t111;
-    const real_t t113 = TB_C(13.86750490563073) * structure[44];
-    const real_t t114 = TB_C(13.86750490563073) * structure[45];
-    const real_t t115 = TB_C(13.86750490563073) * structure[46];
-    const real_t t116 = TB_C(13.86750490563073) * structure[47];
+    const real_t t113 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t t114 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t115 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t t116 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t117 = t112 + t80 * t113 + t82 * t114 + t83 * t115 + t84 * t116;
     const real_t t118 = structure[0] * t108 + structure[1] * t109 + structure[2] * t110;
     const real_t t119 = t118 + structure[3] * t111 + structure[4] * t113 + structure[5] * t114;
@@ -246,7 +247,7 @@ tb_status tb_load_tension(const real_t structure[48], const real_t tension[8],
     const real_t t137 = t136 + tension[2] * structure[42] + tension[3] * structure[43];
     const real_t t138 = t137 + tension[4] * structure[44] + tension[5] * structure[45];
     const real_t t139 = t138 + tension[6] * structure[46] + tension[7] * structure[47];
-    const real_t t140 = t14 * t120 - TB_C(13.86750490563073) * (hand_force[5] + t139);
+    const real_t t140 = t14 * t120 - TB_MOMENT_WEIGHT * (hand_force[5] + t139);
     const real_t t141 = t140 - t19 * t124 - t40 * t129 - t71 * t134 - t103 * t135;
     const real_t t142 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111;
     const real_t t143 = t142 + t113 * t113 + t114 * t114 + t115 * t115 + t116 * t116;

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out <this folder>
  * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_KINEMATICS_H

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out <this folder>
  * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -31,5 +31,11 @@
 
 #define TB_HAS_OBSERVER 0
 #define TB_HAND_FORCE_MEASURED 0
+
+#define TB_TENSION_MIDDLE TB_C(4.25) /* N, middle of the bounds */
+#define TB_TENSION_HALF_RANGE TB_C(3.75) /* N, from the middle to a bound */
+
+#define TB_FRAME TB_C(0.6) /* m, side of the frame */
+#define TB_MOMENT_WEIGHT TB_C(13.86750490563073) /* 1/m, of moments in norms of wrenches */
 
 #endif

@@ -1,37 +1,38 @@
-/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out <this folder>
  * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
 #include "tb_kinematics.h"
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Before the first subset. */
 static tb_status tb_balance_begin(const real_t structure[48], real_t weighed[48], real_t margin[1])
 {
-    const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
-    const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
-    const real_t weighed_26 = TB_C(13.86750490563073) * structure[26];
-    const real_t weighed_27 = TB_C(13.86750490563073) * structure[27];
-    const real_t weighed_28 = TB_C(13.86750490563073) * structure[28];
-    const real_t weighed_29 = TB_C(13.86750490563073) * structure[29];
-    const real_t weighed_30 = TB_C(13.86750490563073) * structure[30];
-    const real_t weighed_31 = TB_C(13.86750490563073) * structure[31];
-    const real_t weighed_32 = TB_C(13.86750490563073) * structure[32];
-    const real_t weighed_33 = TB_C(13.86750490563073) * structure[33];
-    const real_t weighed_34 = TB_C(13.86750490563073) * structure[34];
-    const real_t weighed_35 = TB_C(13.86750490563073) * structure[35];
-    const real_t weighed_36 = TB_C(13.86750490563073) * structure[36];
-    const real_t weighed_37 = TB_C(13.86750490563073) * structure[37];
-    const real_t weighed_38 = TB_C(13.86750490563073) * structure[38];
-    const real_t weighed_39 = TB_C(13.86750490563073) * structure[39];
-    const real_t weighed_40 = TB_C(13.86750490563073) * structure[40];
-    const real_t weighed_41 = TB_C(13.86750490563073) * structure[41];
-    const real_t weighed_42 = TB_C(13.86750490563073) * structure[42];
-    const real_t weighed_43 = TB_C(13.86750490563073) * structure[43];
-    const real_t weighed_44 = TB_C(13.86750490563073) * structure[44];
-    const real_t weighed_45 = TB_C(13.86750490563073) * structure[45];
-    const real_t weighed_46 = TB_C(13.86750490563073) * structure[46];
-    const real_t weighed_47 = TB_C(13.86750490563073) * structure[47];
+    const real_t weighed_24 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t weighed_25 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t weighed_26 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t weighed_27 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t weighed_28 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t weighed_29 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t weighed_30 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t weighed_31 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t weighed_32 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t weighed_33 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t weighed_34 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t weighed_35 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t weighed_36 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t weighed_37 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t weighed_38 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t weighed_39 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t weighed_40 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t weighed_41 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t weighed_42 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t weighed_43 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t weighed_44 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t weighed_45 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t weighed_46 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t weighed_47 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -492,8 +493,8 @@ static tb_status tb_balance_visit(const real_t chosen[30], const real_t numbers[
             t145 = t147;
         }
         const real_t t148 = t139 + (t134 + (t129 + (t123 + (t118 + (t108 + t113)))));
-        const real_t t149 = TB_C(3.75) * (t142 + TB_ABS(t145)) - TB_ABS(TB_C(4.25) * (t145 +
-            t148));
+        const real_t t149 = TB_TENSION_HALF_RANGE * (t142 + TB_ABS(t145)) -
+            TB_ABS(TB_TENSION_MIDDLE * (t145 + t148));
         margin_0 = tb_min(margin[0], t149);
     } else {
         margin_0 = margin[0];
@@ -563,14 +564,14 @@ static tb_status tb_balance(const real_t structure[48], real_t balanced[1], real
 static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[8], real_t tension[8])
 {
     const bool t0 = TB_C(0.0) < balanced[0];
-    const real_t tension_0 = t0 ? rest[0] : TB_C(0.5);
-    const real_t tension_1 = t0 ? rest[1] : TB_C(0.5);
-    const real_t tension_2 = t0 ? rest[2] : TB_C(0.5);
-    const real_t tension_3 = t0 ? rest[3] : TB_C(0.5);
-    const real_t tension_4 = t0 ? rest[4] : TB_C(0.5);
-    const real_t tension_5 = t0 ? rest[5] : TB_C(0.5);
-    const real_t tension_6 = t0 ? rest[6] : TB_C(0.5);
-    const real_t tension_7 = t0 ? rest[7] : TB_C(0.5);
+    const real_t tension_0 = t0 ? rest[0] : TB_TENSION_MIN;
+    const real_t tension_1 = t0 ? rest[1] : TB_TENSION_MIN;
+    const real_t tension_2 = t0 ? rest[2] : TB_TENSION_MIN;
+    const real_t tension_3 = t0 ? rest[3] : TB_TENSION_MIN;
+    const real_t tension_4 = t0 ? rest[4] : TB_TENSION_MIN;
+    const real_t tension_5 = t0 ? rest[5] : TB_TENSION_MIN;
+    const real_t tension_6 = t0 ? rest[6] : TB_TENSION_MIN;
+    const real_t tension_7 = t0 ? rest[7] : TB_TENSION_MIN;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -585,14 +586,14 @@ static tb_status tb_tension_at_rest(const real_t balanced[1], const real_t rest[
 /* Refuses with a status: tension is 0.5 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[8])
 {
-    tension[0] = TB_C(0.5);
-    tension[1] = TB_C(0.5);
-    tension[2] = TB_C(0.5);
-    tension[3] = TB_C(0.5);
-    tension[4] = TB_C(0.5);
-    tension[5] = TB_C(0.5);
-    tension[6] = TB_C(0.5);
-    tension[7] = TB_C(0.5);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
+    tension[4] = TB_TENSION_MIN;
+    tension[5] = TB_TENSION_MIN;
+    tension[6] = TB_TENSION_MIN;
+    tension[7] = TB_TENSION_MIN;
     return status;
 }
 
@@ -691,30 +692,30 @@ tb_status tb_tension_factor(const real_t pose[6], const real_t rails[1], real_t 
 static tb_status tb_isotropic_begin(const real_t structure[48], real_t weighed[48], real_t margin[1],
     real_t radius[1])
 {
-    const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
-    const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
-    const real_t weighed_26 = TB_C(13.86750490563073) * structure[26];
-    const real_t weighed_27 = TB_C(13.86750490563073) * structure[27];
-    const real_t weighed_28 = TB_C(13.86750490563073) * structure[28];
-    const real_t weighed_29 = TB_C(13.86750490563073) * structure[29];
-    const real_t weighed_30 = TB_C(13.86750490563073) * structure[30];
-    const real_t weighed_31 = TB_C(13.86750490563073) * structure[31];
-    const real_t weighed_32 = TB_C(13.86750490563073) * structure[32];
-    const real_t weighed_33 = TB_C(13.86750490563073) * structure[33];
-    const real_t weighed_34 = TB_C(13.86750490563073) * structure[34];
-    const real_t weighed_35 = TB_C(13.86750490563073) * structure[35];
-    const real_t weighed_36 = TB_C(13.86750490563073) * structure[36];
-    const real_t weighed_37 = TB_C(13.86750490563073) * structure[37];
-    const real_t weighed_38 = TB_C(13.86750490563073) * structure[38];
-    const real_t weighed_39 = TB_C(13.86750490563073) * structure[39];
-    const real_t weighed_40 = TB_C(13.86750490563073) * structure[40];
-    const real_t weighed_41 = TB_C(13.86750490563073) * structure[41];
-    const real_t weighed_42 = TB_C(13.86750490563073) * structure[42];
-    const real_t weighed_43 = TB_C(13.86750490563073) * structure[43];
-    const real_t weighed_44 = TB_C(13.86750490563073) * structure[44];
-    const real_t weighed_45 = TB_C(13.86750490563073) * structure[45];
-    const real_t weighed_46 = TB_C(13.86750490563073) * structure[46];
-    const real_t weighed_47 = TB_C(13.86750490563073) * structure[47];
+    const real_t weighed_24 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t weighed_25 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t weighed_26 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t weighed_27 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t weighed_28 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t weighed_29 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t weighed_30 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t weighed_31 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t weighed_32 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t weighed_33 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t weighed_34 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t weighed_35 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t weighed_36 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t weighed_37 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t weighed_38 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t weighed_39 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t weighed_40 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t weighed_41 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t weighed_42 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t weighed_43 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t weighed_44 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t weighed_45 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t weighed_46 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t weighed_47 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -1176,7 +1177,8 @@ static tb_status tb_isotropic_visit(const real_t chosen[30], const real_t number
         t146 = t148;
     }
     const real_t t149 = t140 + (t135 + (t130 + (t124 + (t119 + (t109 + t114)))));
-    const real_t t150 = TB_C(3.75) * (t143 + TB_ABS(t146)) - TB_ABS(TB_C(4.25) * (t146 + t149));
+    const real_t t150 = TB_TENSION_HALF_RANGE * (t143 + TB_ABS(t146)) -
+        TB_ABS(TB_TENSION_MIDDLE * (t146 + t149));
     const real_t margin_0 = t80 ? tb_min(margin[0], t150) : margin[0];
     const real_t t151 = TB_SQRT(t104 * t104 + t105 * t105 + t106 * t106);
     real_t radius_0;

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/spidar_g.toml --out generated/spidar_g
+/* Regenerate: turnbuckle generate machines/spidar_g.toml --out <this folder>
  * Machine 4d479a9b3a2bb17c, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: pivot is 0; side is 0; moving is 0; push is 0 N. */
 static tb_status tb_refuse_least_norm_tension_begin(tb_status status, real_t pivot[1],
@@ -97,15 +98,15 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[48], const r
     const real_t t47 = TB_SQRT(t45 + t46 * t46);
     const real_t t48 = TB_COPYSIGN(t47, t40);
     const real_t t49 = TB_ABS(t48);
-    const real_t t50 = TB_C(13.86750490563073) * structure[27];
-    const real_t t51 = TB_C(13.86750490563073) * structure[25];
-    const real_t t52 = t7 * (TB_C(13.86750490563073) * structure[24]) + structure[1] * t51;
-    const real_t t53 = TB_C(13.86750490563073) * structure[26];
-    const real_t t54 = TB_C(13.86750490563073) * structure[28];
+    const real_t t50 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t51 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t t52 = t7 * (TB_MOMENT_WEIGHT * structure[24]) + structure[1] * t51;
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t54 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t55 = t52 + structure[2] * t53 + structure[3] * t50 + structure[4] * t54;
-    const real_t t56 = TB_C(13.86750490563073) * structure[29];
-    const real_t t57 = TB_C(13.86750490563073) * structure[30];
-    const real_t t58 = TB_C(13.86750490563073) * structure[31];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t t57 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t t58 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t59 = t55 + structure[5] * t56 + structure[6] * t57 + structure[7] * t58;
     const real_t t60 = t11 * t59;
     const real_t t61 = t50 - structure[3] * t60;
@@ -135,15 +136,15 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[48], const r
     const real_t t85 = TB_SQRT(t84);
     const real_t t86 = TB_COPYSIGN(t85, t79);
     const real_t t87 = TB_ABS(t86);
-    const real_t t88 = TB_C(13.86750490563073) * structure[36];
-    const real_t t89 = TB_C(13.86750490563073) * structure[33];
-    const real_t t90 = t7 * (TB_C(13.86750490563073) * structure[32]) + structure[1] * t89;
-    const real_t t91 = TB_C(13.86750490563073) * structure[34];
-    const real_t t92 = TB_C(13.86750490563073) * structure[35];
+    const real_t t88 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t89 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t90 = t7 * (TB_MOMENT_WEIGHT * structure[32]) + structure[1] * t89;
+    const real_t t91 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t92 = TB_MOMENT_WEIGHT * structure[35];
     const real_t t93 = t90 + structure[2] * t91 + structure[3] * t92 + structure[4] * t88;
-    const real_t t94 = TB_C(13.86750490563073) * structure[37];
-    const real_t t95 = TB_C(13.86750490563073) * structure[38];
-    const real_t t96 = TB_C(13.86750490563073) * structure[39];
+    const real_t t94 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t95 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t96 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t97 = t93 + structure[5] * t94 + structure[6] * t95 + structure[7] * t96;
     const real_t t98 = t11 * t97;
     const real_t t99 = t88 - structure[4] * t98;
@@ -179,15 +180,15 @@ static tb_status tb_least_norm_tension_begin(const real_t structure[48], const r
     const real_t t129 = TB_COPYSIGN(t128, t123);
     const real_t t130 = TB_ABS(t129);
     const real_t t131 = tb_min(tb_min(tb_min(tb_min(t6, t23), t49), t87), t130);
-    const real_t t132 = TB_C(13.86750490563073) * structure[45];
-    const real_t t133 = TB_C(13.86750490563073) * structure[41];
-    const real_t t134 = t7 * (TB_C(13.86750490563073) * structure[40]) + structure[1] * t133;
-    const real_t t135 = TB_C(13.86750490563073) * structure[42];
-    const real_t t136 = TB_C(13.86750490563073) * structure[43];
-    const real_t t137 = TB_C(13.86750490563073) * structure[44];
+    const real_t t132 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t133 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t t134 = t7 * (TB_MOMENT_WEIGHT * structure[40]) + structure[1] * t133;
+    const real_t t135 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t t136 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t t137 = TB_MOMENT_WEIGHT * structure[44];
     const real_t t138 = t134 + structure[2] * t135 + structure[3] * t136 + structure[4] * t137;
-    const real_t t139 = TB_C(13.86750490563073) * structure[46];
-    const real_t t140 = TB_C(13.86750490563073) * structure[47];
+    const real_t t139 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t t140 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t141 = t138 + structure[5] * t132 + structure[6] * t139 + structure[7] * t140;
     const real_t t142 = t11 * t141;
     const real_t t143 = t132 - structure[5] * t142;
@@ -346,21 +347,21 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t92 = t4 ? t80 : TB_C(0.0);
     const real_t t93 = TB_COPYSIGN(t91, t92);
     const real_t t94 = tb_min(tb_min(TB_ABS(t27), TB_ABS(t54)), TB_ABS(t93));
-    const real_t t95 = TB_C(13.86750490563073) * structure[27];
-    const real_t t96 = TB_C(13.86750490563073) * structure[24];
-    const real_t t97 = TB_C(13.86750490563073) * structure[25];
+    const real_t t95 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t96 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t97 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t98 = t2 ? (t2 ? structure[1] * t97 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t99 = TB_C(13.86750490563073) * structure[26];
+    const real_t t99 = TB_MOMENT_WEIGHT * structure[26];
     const real_t t100 = t4 ? (t4 ? structure[2] * t99 : TB_C(0.0)) : TB_C(0.0);
     const real_t t101 = t6 ? (t6 ? structure[3] * t95 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t102 = TB_C(13.86750490563073) * structure[28];
+    const real_t t102 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t103 = t8 ? (t8 ? structure[4] * t102 : TB_C(0.0)) : TB_C(0.0);
     const real_t t104 = (t0 ? t28 * t96 : TB_C(0.0)) + t98 + t100 + t101 + t103;
-    const real_t t105 = TB_C(13.86750490563073) * structure[29];
+    const real_t t105 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t106 = t10 ? (t10 ? structure[5] * t105 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t107 = TB_C(13.86750490563073) * structure[30];
+    const real_t t107 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t108 = t12 ? (t12 ? structure[6] * t107 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t109 = TB_C(13.86750490563073) * structure[31];
+    const real_t t109 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t110 = t14 ? (t14 ? structure[7] * t109 : TB_C(0.0)) : TB_C(0.0);
     const real_t t111 = t37 * (t104 + t106 + t108 + t110);
     const real_t t112 = t95 - structure[3] * t111;
@@ -406,21 +407,21 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t149 = TB_SQRT(t142 + t144 + t146 + t148);
     const real_t t150 = t6 ? t140 : TB_C(0.0);
     const real_t t151 = TB_COPYSIGN(t149, t150);
-    const real_t t152 = TB_C(13.86750490563073) * structure[36];
-    const real_t t153 = TB_C(13.86750490563073) * structure[32];
-    const real_t t154 = TB_C(13.86750490563073) * structure[33];
+    const real_t t152 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t153 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t154 = TB_MOMENT_WEIGHT * structure[33];
     const real_t t155 = t2 ? (t2 ? structure[1] * t154 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t156 = TB_C(13.86750490563073) * structure[34];
+    const real_t t156 = TB_MOMENT_WEIGHT * structure[34];
     const real_t t157 = t4 ? (t4 ? structure[2] * t156 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t158 = TB_C(13.86750490563073) * structure[35];
+    const real_t t158 = TB_MOMENT_WEIGHT * structure[35];
     const real_t t159 = t6 ? (t6 ? structure[3] * t158 : TB_C(0.0)) : TB_C(0.0);
     const real_t t160 = (t0 ? t28 * t153 : TB_C(0.0)) + t155 + t157 + t159;
     const real_t t161 = t8 ? (t8 ? structure[4] * t152 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t162 = TB_C(13.86750490563073) * structure[37];
+    const real_t t162 = TB_MOMENT_WEIGHT * structure[37];
     const real_t t163 = t10 ? (t10 ? structure[5] * t162 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t164 = TB_C(13.86750490563073) * structure[38];
+    const real_t t164 = TB_MOMENT_WEIGHT * structure[38];
     const real_t t165 = t12 ? (t12 ? structure[6] * t164 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t166 = TB_C(13.86750490563073) * structure[39];
+    const real_t t166 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t167 = t14 ? (t14 ? structure[7] * t166 : TB_C(0.0)) : TB_C(0.0);
     const real_t t168 = t37 * (t160 + t161 + t163 + t165 + t167);
     const real_t t169 = t152 - structure[4] * t168;
@@ -475,21 +476,21 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t215 = TB_SQRT(t210 + t212 + t214);
     const real_t t216 = t8 ? t207 : TB_C(0.0);
     const real_t t217 = TB_COPYSIGN(t215, t216);
-    const real_t t218 = TB_C(13.86750490563073) * structure[45];
-    const real_t t219 = TB_C(13.86750490563073) * structure[40];
-    const real_t t220 = TB_C(13.86750490563073) * structure[41];
+    const real_t t218 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t219 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t220 = TB_MOMENT_WEIGHT * structure[41];
     const real_t t221 = t2 ? (t2 ? structure[1] * t220 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t222 = TB_C(13.86750490563073) * structure[42];
+    const real_t t222 = TB_MOMENT_WEIGHT * structure[42];
     const real_t t223 = t4 ? (t4 ? structure[2] * t222 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t224 = TB_C(13.86750490563073) * structure[43];
+    const real_t t224 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t225 = t6 ? (t6 ? structure[3] * t224 : TB_C(0.0)) : TB_C(0.0);
     const real_t t226 = (t0 ? t28 * t219 : TB_C(0.0)) + t221 + t223 + t225;
-    const real_t t227 = TB_C(13.86750490563073) * structure[44];
+    const real_t t227 = TB_MOMENT_WEIGHT * structure[44];
     const real_t t228 = t8 ? (t8 ? structure[4] * t227 : TB_C(0.0)) : TB_C(0.0);
     const real_t t229 = t10 ? (t10 ? structure[5] * t218 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t230 = TB_C(13.86750490563073) * structure[46];
+    const real_t t230 = TB_MOMENT_WEIGHT * structure[46];
     const real_t t231 = t12 ? (t12 ? structure[6] * t230 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t232 = TB_C(13.86750490563073) * structure[47];
+    const real_t t232 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t233 = t14 ? (t14 ? structure[7] * t232 : TB_C(0.0)) : TB_C(0.0);
     const real_t t234 = t37 * (t226 + t228 + t229 + t231 + t233);
     const real_t t235 = t218 - structure[5] * t234;
@@ -552,24 +553,24 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t289 = TB_C(64.0) * TB_EPSILON / tb_min(TB_C(1.0), t288);
     const bool t290 = TB_C(0.0) <= moving[0];
     const real_t t291 = TB_C(1.0) / t27;
-    const real_t t292 = TB_C(0.0) < side[0] ? TB_C(8.0) : (side[0] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t293 = TB_C(0.0) < side[1] ? TB_C(8.0) : (side[1] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t294 = TB_C(0.0) < side[2] ? TB_C(8.0) : (side[2] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
+    const real_t t292 = TB_C(0.0) < side[0] ? TB_TENSION_MAX : (side[0] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t293 = TB_C(0.0) < side[1] ? TB_TENSION_MAX : (side[1] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t294 = TB_C(0.0) < side[2] ? TB_TENSION_MAX : (side[2] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t295 = structure[0] * t292 + structure[1] * t293 + structure[2] * t294;
-    const real_t t296 = TB_C(0.0) < side[3] ? TB_C(8.0) : (side[3] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t297 = TB_C(0.0) < side[4] ? TB_C(8.0) : (side[4] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t298 = TB_C(0.0) < side[5] ? TB_C(8.0) : (side[5] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
+    const real_t t296 = TB_C(0.0) < side[3] ? TB_TENSION_MAX : (side[3] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t297 = TB_C(0.0) < side[4] ? TB_TENSION_MAX : (side[4] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t298 = TB_C(0.0) < side[5] ? TB_TENSION_MAX : (side[5] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t299 = t295 + structure[3] * t296 + structure[4] * t297 + structure[5] * t298;
-    const real_t t300 = TB_C(0.0) < side[6] ? TB_C(8.0) : (side[6] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t301 = TB_C(0.0) < side[7] ? TB_C(8.0) : (side[7] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
+    const real_t t300 = TB_C(0.0) < side[6] ? TB_TENSION_MAX : (side[6] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t301 = TB_C(0.0) < side[7] ? TB_TENSION_MAX : (side[7] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t302 = wrench[0] - (t299 + structure[6] * t300 + structure[7] * t301);
     const real_t t303 = t302 * t291;
     const real_t t304 = (t0 ? structure[8] : TB_C(0.0)) - t28 * t38;
@@ -592,7 +593,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t321 = t96 * t292 + t97 * t293 + t99 * t294 + t95 * t296;
     const real_t t322 = t321 + t102 * t297 + t105 * t298 + t107 * t300 + t109 * t301;
     const real_t t323 = (t0 ? t96 : TB_C(0.0)) - t28 * t111;
-    const real_t t324 = TB_C(13.86750490563073) * wrench[3] - t322 + t303 * t323;
+    const real_t t324 = TB_MOMENT_WEIGHT * wrench[3] - t322 + t303 * t323;
     const real_t t325 = (t2 ? t113 : TB_C(0.0)) - t65 * t125;
     const real_t t326 = (t324 + t310 * t325 + t318 * t319) * t320;
     const real_t t327 = (t6 ? t197 : TB_C(0.0)) - t196 * t206;
@@ -600,7 +601,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t329 = t153 * t292 + t154 * t293 + t156 * t294 + t158 * t296;
     const real_t t330 = t329 + t152 * t297 + t162 * t298 + t164 * t300 + t166 * t301;
     const real_t t331 = (t0 ? t153 : TB_C(0.0)) - t28 * t168;
-    const real_t t332 = TB_C(13.86750490563073) * wrench[4] - t330 + t303 * t331;
+    const real_t t332 = TB_MOMENT_WEIGHT * wrench[4] - t330 + t303 * t331;
     const real_t t333 = (t2 ? t170 : TB_C(0.0)) - t65 * t182;
     const real_t t334 = (t4 ? t184 : TB_C(0.0)) - t127 * t194;
     const real_t t335 = (t332 + t310 * t333 + t318 * t334 + t326 * t327) * t328;
@@ -609,7 +610,7 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t338 = t219 * t292 + t220 * t293 + t222 * t294 + t224 * t296;
     const real_t t339 = t338 + t227 * t297 + t218 * t298 + t230 * t300 + t232 * t301;
     const real_t t340 = (t0 ? t219 : TB_C(0.0)) - t28 * t234;
-    const real_t t341 = TB_C(13.86750490563073) * wrench[5] - t339 + t303 * t340;
+    const real_t t341 = TB_MOMENT_WEIGHT * wrench[5] - t339 + t303 * t340;
     const real_t t342 = (t2 ? t236 : TB_C(0.0)) - t65 * t248;
     const real_t t343 = (t4 ? t250 : TB_C(0.0)) - t127 * t260;
     const real_t t344 = (t6 ? t262 : TB_C(0.0)) - t196 * t270;
@@ -624,35 +625,35 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t353 = t291 * (t352 + t340 * t346);
     const real_t t354 = structure[4] * t353 + structure[12] * t351 + structure[20] * t349;
     const real_t t355 = t354 + t102 * t348 + t152 * t347 + t227 * t346;
-    const real_t t356 = TB_C(0.0) < t9 ? tb_max(TB_C(0.5) - t355, t355 - TB_C(8.0)) :
+    const real_t t356 = TB_C(0.0) < t9 ? tb_max(TB_TENSION_MIN - t355, t355 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t357 = structure[5] * t353 + structure[13] * t351 + structure[21] * t349;
     const real_t t358 = t357 + t105 * t348 + t162 * t347 + t218 * t346;
-    const real_t t359 = TB_C(0.0) < t11 ? tb_max(TB_C(0.5) - t358, t358 - TB_C(8.0)) :
-        -TB_C(1.0);
+    const real_t t359 = TB_C(0.0) < t11 ? tb_max(TB_TENSION_MIN - t358, t358 - TB_TENSION_MAX)
+        : -TB_C(1.0);
     const real_t t360 = structure[6] * t353 + structure[14] * t351 + structure[22] * t349;
     const real_t t361 = t360 + t107 * t348 + t164 * t347 + t230 * t346;
-    const real_t t362 = TB_C(0.0) < t13 ? tb_max(TB_C(0.5) - t361, t361 - TB_C(8.0)) :
-        -TB_C(1.0);
+    const real_t t362 = TB_C(0.0) < t13 ? tb_max(TB_TENSION_MIN - t361, t361 - TB_TENSION_MAX)
+        : -TB_C(1.0);
     const real_t t363 = structure[7] * t353 + structure[15] * t351 + structure[23] * t349;
     const real_t t364 = t363 + t109 * t348 + t166 * t347 + t232 * t346;
-    const real_t t365 = TB_C(0.0) < t15 ? tb_max(TB_C(0.5) - t364, t364 - TB_C(8.0)) :
-        -TB_C(1.0);
+    const real_t t365 = TB_C(0.0) < t15 ? tb_max(TB_TENSION_MIN - t364, t364 - TB_TENSION_MAX)
+        : -TB_C(1.0);
     const real_t t366 = structure[0] * t353 + structure[8] * t351 + structure[16] * t349;
     const real_t t367 = t366 + t96 * t348 + t153 * t347 + t219 * t346;
-    const real_t t368 = TB_C(0.0) < t1 ? tb_max(TB_C(0.5) - t367, t367 - TB_C(8.0)) :
+    const real_t t368 = TB_C(0.0) < t1 ? tb_max(TB_TENSION_MIN - t367, t367 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t369 = structure[1] * t353 + structure[9] * t351 + structure[17] * t349;
     const real_t t370 = t369 + t97 * t348 + t154 * t347 + t220 * t346;
-    const real_t t371 = TB_C(0.0) < t3 ? tb_max(TB_C(0.5) - t370, t370 - TB_C(8.0)) :
+    const real_t t371 = TB_C(0.0) < t3 ? tb_max(TB_TENSION_MIN - t370, t370 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t372 = structure[2] * t353 + structure[10] * t351 + structure[18] * t349;
     const real_t t373 = t372 + t99 * t348 + t156 * t347 + t222 * t346;
-    const real_t t374 = TB_C(0.0) < t5 ? tb_max(TB_C(0.5) - t373, t373 - TB_C(8.0)) :
+    const real_t t374 = TB_C(0.0) < t5 ? tb_max(TB_TENSION_MIN - t373, t373 - TB_TENSION_MAX) :
         -TB_C(1.0);
     const real_t t375 = structure[3] * t353 + structure[11] * t351 + structure[19] * t349;
     const real_t t376 = t375 + t95 * t348 + t158 * t347 + t224 * t346;
-    const real_t t377 = TB_C(0.0) < t7 ? tb_max(TB_C(0.5) - t376, t376 - TB_C(8.0)) :
+    const real_t t377 = TB_C(0.0) < t7 ? tb_max(TB_TENSION_MIN - t376, t376 - TB_TENSION_MAX) :
         -TB_C(1.0);
     real_t t378, t379, t380, t381, t382, t383, t384, t385;
     if (t290) {
@@ -792,10 +793,11 @@ static tb_status tb_least_norm_tension_step(const real_t structure[48], const re
     const real_t t464 = t14 ? (t14 ? t463 * t463 : TB_C(0.0)) : TB_C(0.0);
     const real_t t465 = t452 + t456 + t460 + t464;
     const real_t t466 = t396 + t465 * push[0];
-    const bool t467 = t466 < TB_C(4.25);
+    const bool t467 = t466 < TB_TENSION_MIDDLE;
     real_t t468;
     if (t16 && t289 * t289 < t465) {
-        const real_t t469 = tb_max(t467 ? TB_C(0.5) - t466 : t466 - TB_C(8.0), TB_C(0.0));
+        const real_t t469 = tb_max(t467 ? TB_TENSION_MIN - t466 : t466 - TB_TENSION_MAX,
+            TB_C(0.0));
         t468 = t469 * (TB_C(1.0) / t465);
     } else {
         t468 = TB_C(1e+30);
@@ -931,24 +933,24 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     real_t kkt_residual[1])
 {
     const bool t0 = side[0] == TB_C(0.0);
-    const real_t t1 = TB_C(0.0) < side[0] ? TB_C(8.0) : (side[0] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t2 = TB_C(0.0) < side[1] ? TB_C(8.0) : (side[1] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t3 = TB_C(0.0) < side[2] ? TB_C(8.0) : (side[2] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
+    const real_t t1 = TB_C(0.0) < side[0] ? TB_TENSION_MAX : (side[0] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t2 = TB_C(0.0) < side[1] ? TB_TENSION_MAX : (side[1] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t3 = TB_C(0.0) < side[2] ? TB_TENSION_MAX : (side[2] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t4 = structure[0] * t1 + structure[1] * t2 + structure[2] * t3;
-    const real_t t5 = TB_C(0.0) < side[3] ? TB_C(8.0) : (side[3] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t6 = TB_C(0.0) < side[4] ? TB_C(8.0) : (side[4] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t7 = TB_C(0.0) < side[5] ? TB_C(8.0) : (side[5] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
+    const real_t t5 = TB_C(0.0) < side[3] ? TB_TENSION_MAX : (side[3] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t6 = TB_C(0.0) < side[4] ? TB_TENSION_MAX : (side[4] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t7 = TB_C(0.0) < side[5] ? TB_TENSION_MAX : (side[5] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t8 = t4 + structure[3] * t5 + structure[4] * t6 + structure[5] * t7;
-    const real_t t9 = TB_C(0.0) < side[6] ? TB_C(8.0) : (side[6] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
-    const real_t t10 = TB_C(0.0) < side[7] ? TB_C(8.0) : (side[7] < TB_C(0.0) ? TB_C(0.5) :
-        TB_C(0.0));
+    const real_t t9 = TB_C(0.0) < side[6] ? TB_TENSION_MAX : (side[6] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
+    const real_t t10 = TB_C(0.0) < side[7] ? TB_TENSION_MAX : (side[7] < TB_C(0.0) ?
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t11 = wrench[0] - (t8 + structure[6] * t9 + structure[7] * t10);
     const real_t t12 = t0 ? (t0 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
     const bool t13 = TB_C(0.0) == side[1];
@@ -1052,21 +1054,21 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t108 = TB_COPYSIGN(t106, t107);
     const real_t t109 = TB_C(1.0) / t108;
     const real_t t110 = (t93 + t31 * t94 + t64 * t90) * t109;
-    const real_t t111 = TB_C(13.86750490563073) * structure[26];
-    const real_t t112 = TB_C(13.86750490563073) * structure[24];
-    const real_t t113 = TB_C(13.86750490563073) * structure[25];
+    const real_t t111 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t112 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t113 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t114 = t13 ? (t13 ? structure[1] * t113 : TB_C(0.0)) : TB_C(0.0);
     const real_t t115 = t15 ? (t15 ? structure[2] * t111 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t116 = TB_C(13.86750490563073) * structure[27];
+    const real_t t116 = TB_MOMENT_WEIGHT * structure[27];
     const real_t t117 = t17 ? (t17 ? structure[3] * t116 : TB_C(0.0)) : TB_C(0.0);
     const real_t t118 = (t0 ? t32 * t112 : TB_C(0.0)) + t114 + t115 + t117;
-    const real_t t119 = TB_C(13.86750490563073) * structure[28];
+    const real_t t119 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t120 = t19 ? (t19 ? structure[4] * t119 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t121 = TB_C(13.86750490563073) * structure[29];
+    const real_t t121 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t122 = t21 ? (t21 ? structure[5] * t121 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t123 = TB_C(13.86750490563073) * structure[30];
+    const real_t t123 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t124 = t23 ? (t23 ? structure[6] * t123 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t125 = TB_C(13.86750490563073) * structure[31];
+    const real_t t125 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t126 = t25 ? (t25 ? structure[7] * t125 : TB_C(0.0)) : TB_C(0.0);
     const real_t t127 = t41 * (t118 + t120 + t122 + t124 + t126);
     const real_t t128 = t111 - structure[2] * t127;
@@ -1100,7 +1102,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t154 = TB_C(1.0) / (t106 * (t106 + TB_ABS(t107)));
     const real_t t155 = (t147 + t149 + t151 + t153) * t154;
     const real_t t156 = (t15 ? t142 : TB_C(0.0)) - t143 * t155;
-    const real_t t157 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t157 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t158 = t1 * t112 + t2 * t113 + t3 * t111 + t5 * t116 + t6 * t119;
     const real_t t159 = t157 - (t158 + t7 * t121 + t9 * t123 + t10 * t125);
     const real_t t160 = (t0 ? t112 : TB_C(0.0)) - t32 * t127;
@@ -1120,21 +1122,21 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t174 = TB_COPYSIGN(t172, t173);
     const real_t t175 = TB_C(1.0) / t174;
     const real_t t176 = (t159 + t31 * t160 + t64 * t161 + t110 * t156) * t175;
-    const real_t t177 = TB_C(13.86750490563073) * structure[35];
-    const real_t t178 = TB_C(13.86750490563073) * structure[32];
-    const real_t t179 = TB_C(13.86750490563073) * structure[33];
+    const real_t t177 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t178 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t179 = TB_MOMENT_WEIGHT * structure[33];
     const real_t t180 = t13 ? (t13 ? structure[1] * t179 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t181 = TB_C(13.86750490563073) * structure[34];
+    const real_t t181 = TB_MOMENT_WEIGHT * structure[34];
     const real_t t182 = t15 ? (t15 ? structure[2] * t181 : TB_C(0.0)) : TB_C(0.0);
     const real_t t183 = t17 ? (t17 ? structure[3] * t177 : TB_C(0.0)) : TB_C(0.0);
     const real_t t184 = (t0 ? t32 * t178 : TB_C(0.0)) + t180 + t182 + t183;
-    const real_t t185 = TB_C(13.86750490563073) * structure[36];
+    const real_t t185 = TB_MOMENT_WEIGHT * structure[36];
     const real_t t186 = t19 ? (t19 ? structure[4] * t185 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t187 = TB_C(13.86750490563073) * structure[37];
+    const real_t t187 = TB_MOMENT_WEIGHT * structure[37];
     const real_t t188 = t21 ? (t21 ? structure[5] * t187 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t189 = TB_C(13.86750490563073) * structure[38];
+    const real_t t189 = TB_MOMENT_WEIGHT * structure[38];
     const real_t t190 = t23 ? (t23 ? structure[6] * t189 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t191 = TB_C(13.86750490563073) * structure[39];
+    const real_t t191 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t192 = t25 ? (t25 ? structure[7] * t191 : TB_C(0.0)) : TB_C(0.0);
     const real_t t193 = t41 * (t184 + t186 + t188 + t190 + t192);
     const real_t t194 = t177 - structure[3] * t193;
@@ -1179,7 +1181,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t231 = TB_C(1.0) / (t172 * (t172 + TB_ABS(t173)));
     const real_t t232 = (t228 + t230) * t231;
     const real_t t233 = (t17 ? t220 : TB_C(0.0)) - t221 * t232;
-    const real_t t234 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t234 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t235 = t1 * t178 + t2 * t179 + t3 * t181 + t5 * t177 + t6 * t185;
     const real_t t236 = t234 - (t235 + t7 * t187 + t9 * t189 + t10 * t191);
     const real_t t237 = (t0 ? t178 : TB_C(0.0)) - t32 * t193;
@@ -1199,21 +1201,21 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t251 = TB_COPYSIGN(t249, t250);
     const real_t t252 = TB_C(1.0) / t251;
     const real_t t253 = t240 * t252;
-    const real_t t254 = TB_C(13.86750490563073) * structure[44];
-    const real_t t255 = TB_C(13.86750490563073) * structure[40];
-    const real_t t256 = TB_C(13.86750490563073) * structure[41];
+    const real_t t254 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t t255 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t256 = TB_MOMENT_WEIGHT * structure[41];
     const real_t t257 = t13 ? (t13 ? structure[1] * t256 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t258 = TB_C(13.86750490563073) * structure[42];
+    const real_t t258 = TB_MOMENT_WEIGHT * structure[42];
     const real_t t259 = t15 ? (t15 ? structure[2] * t258 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t260 = TB_C(13.86750490563073) * structure[43];
+    const real_t t260 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t261 = t17 ? (t17 ? structure[3] * t260 : TB_C(0.0)) : TB_C(0.0);
     const real_t t262 = (t0 ? t32 * t255 : TB_C(0.0)) + t257 + t259 + t261;
     const real_t t263 = t19 ? (t19 ? structure[4] * t254 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t264 = TB_C(13.86750490563073) * structure[45];
+    const real_t t264 = TB_MOMENT_WEIGHT * structure[45];
     const real_t t265 = t21 ? (t21 ? structure[5] * t264 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t266 = TB_C(13.86750490563073) * structure[46];
+    const real_t t266 = TB_MOMENT_WEIGHT * structure[46];
     const real_t t267 = t23 ? (t23 ? structure[6] * t266 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t268 = TB_C(13.86750490563073) * structure[47];
+    const real_t t268 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t269 = t25 ? (t25 ? structure[7] * t268 : TB_C(0.0)) : TB_C(0.0);
     const real_t t270 = t41 * (t262 + t263 + t265 + t267 + t269);
     const real_t t271 = t254 - structure[4] * t270;
@@ -1266,7 +1268,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t316 = (t19 ? t308 * t309 : TB_C(0.0)) + t311 + t313 + t315;
     const real_t t317 = t316 * (TB_C(1.0) / (t249 * (t249 + TB_ABS(t250))));
     const real_t t318 = (t19 ? t308 : TB_C(0.0)) - t309 * t317;
-    const real_t t319 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t319 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t320 = t1 * t255 + t2 * t256 + t3 * t258 + t5 * t260 + t6 * t254;
     const real_t t321 = t319 - (t320 + t7 * t264 + t9 * t266 + t10 * t268);
     const real_t t322 = (t0 ? t255 : TB_C(0.0)) - t32 * t270;
@@ -1369,28 +1371,28 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t398 = t30 * (t397 + t322 * t391);
     const real_t t399 = structure[0] * t398 + structure[8] * t396 + structure[16] * t394;
     const real_t t400 = t344 + (t399 + t112 * t393 + t178 * t392 + t255 * t391);
-    const real_t tension_0 = tb_min(tb_max(t0 ? t400 : t1, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_0 = tb_min(tb_max(t0 ? t400 : t1, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t401 = structure[1] * t398 + structure[9] * t396 + structure[17] * t394;
     const real_t t402 = t346 + (t401 + t113 * t393 + t179 * t392 + t256 * t391);
-    const real_t tension_1 = tb_min(tb_max(t13 ? t402 : t2, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_1 = tb_min(tb_max(t13 ? t402 : t2, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t403 = structure[2] * t398 + structure[10] * t396 + structure[18] * t394;
     const real_t t404 = t349 + (t403 + t111 * t393 + t181 * t392 + t258 * t391);
-    const real_t tension_2 = tb_min(tb_max(t15 ? t404 : t3, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_2 = tb_min(tb_max(t15 ? t404 : t3, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t405 = structure[3] * t398 + structure[11] * t396 + structure[19] * t394;
     const real_t t406 = t351 + (t405 + t116 * t393 + t177 * t392 + t260 * t391);
-    const real_t tension_3 = tb_min(tb_max(t17 ? t406 : t5, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_3 = tb_min(tb_max(t17 ? t406 : t5, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t407 = structure[4] * t398 + structure[12] * t396 + structure[20] * t394;
     const real_t t408 = t354 + (t407 + t119 * t393 + t185 * t392 + t254 * t391);
-    const real_t tension_4 = tb_min(tb_max(t19 ? t408 : t6, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_4 = tb_min(tb_max(t19 ? t408 : t6, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t409 = structure[5] * t398 + structure[13] * t396 + structure[21] * t394;
     const real_t t410 = t356 + (t409 + t121 * t393 + t187 * t392 + t264 * t391);
-    const real_t tension_5 = tb_min(tb_max(t21 ? t410 : t7, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_5 = tb_min(tb_max(t21 ? t410 : t7, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t411 = structure[6] * t398 + structure[14] * t396 + structure[22] * t394;
     const real_t t412 = t359 + (t411 + t123 * t393 + t189 * t392 + t266 * t391);
-    const real_t tension_6 = tb_min(tb_max(t23 ? t412 : t9, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_6 = tb_min(tb_max(t23 ? t412 : t9, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t413 = structure[7] * t398 + structure[15] * t396 + structure[23] * t394;
     const real_t t414 = t361 + (t413 + t125 * t393 + t191 * t392 + t268 * t391);
-    const real_t tension_7 = tb_min(tb_max(t25 ? t414 : t10, TB_C(0.5)), TB_C(8.0));
+    const real_t tension_7 = tb_min(tb_max(t25 ? t414 : t10, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t415 = structure[0] * tension_0 + structure[1] * tension_1;
     const real_t t416 = t415 + structure[2] * tension_2 + structure[3] * tension_3;
     const real_t t417 = t416 + structure[4] * tension_4 + structure[5] * tension_5;
@@ -1424,7 +1426,7 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t439 = tb_max(TB_C(0.0), t436) * tb_min(TB_C(1.0), t438);
     const real_t t440 = tb_max(tb_max(TB_ABS(t342), TB_ABS(t340)), TB_ABS(t338));
     const real_t t441 = tb_max(tb_max(tb_max(t440, TB_ABS(t337)), TB_ABS(t336)), TB_ABS(t335));
-    const real_t t442 = TB_C(8.0) * t439 * (TB_C(1.0) / tb_max(TB_C(8.0), t441));
+    const real_t t442 = TB_TENSION_MAX * t439 * (TB_C(1.0) / tb_max(TB_TENSION_MAX, t441));
     const real_t t443 = tb_max(tb_max(t442, TB_ABS(delivered_0 - wrench[0])),
         TB_ABS(delivered_1 - wrench[1]));
     const real_t t444 = t112 * tension_0 + t113 * tension_1 + t111 * tension_2;
@@ -1441,14 +1443,14 @@ static tb_status tb_least_norm_tension_finish(const real_t structure[48], const 
     const real_t t454 = TB_C(2048.0) * TB_EPSILON / tb_min(TB_C(1.0), pivot[0]);
     const bool t455 = !(kkt_residual_0 <= tb_min(t454, TB_C(0.008)));
     if (t455) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
+        tension[6] = TB_TENSION_MIN;
+        tension[7] = TB_TENSION_MIN;
         delivered[0] = TB_C(0.0);
         delivered[1] = TB_C(0.0);
         delivered[2] = TB_C(0.0);
@@ -1493,14 +1495,14 @@ tb_status tb_least_norm_tension(const real_t structure[48], const real_t wrench[
         status = TB_INACCURATE;
     }
     if (status != TB_OK) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
+        tension[6] = TB_TENSION_MIN;
+        tension[7] = TB_TENSION_MIN;
         delivered[0] = TB_C(0.0);
         delivered[1] = TB_C(0.0);
         delivered[2] = TB_C(0.0);
@@ -1608,15 +1610,15 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[48], c
     const real_t t47 = TB_SQRT(t45 + t46 * t46);
     const real_t t48 = TB_COPYSIGN(t47, t40);
     const real_t t49 = TB_ABS(t48);
-    const real_t t50 = TB_C(13.86750490563073) * structure[27];
-    const real_t t51 = TB_C(13.86750490563073) * structure[25];
-    const real_t t52 = t7 * (TB_C(13.86750490563073) * structure[24]) + structure[1] * t51;
-    const real_t t53 = TB_C(13.86750490563073) * structure[26];
-    const real_t t54 = TB_C(13.86750490563073) * structure[28];
+    const real_t t50 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t51 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t t52 = t7 * (TB_MOMENT_WEIGHT * structure[24]) + structure[1] * t51;
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t54 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t55 = t52 + structure[2] * t53 + structure[3] * t50 + structure[4] * t54;
-    const real_t t56 = TB_C(13.86750490563073) * structure[29];
-    const real_t t57 = TB_C(13.86750490563073) * structure[30];
-    const real_t t58 = TB_C(13.86750490563073) * structure[31];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t t57 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t t58 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t59 = t55 + structure[5] * t56 + structure[6] * t57 + structure[7] * t58;
     const real_t t60 = t11 * t59;
     const real_t t61 = t50 - structure[3] * t60;
@@ -1646,15 +1648,15 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[48], c
     const real_t t85 = TB_SQRT(t84);
     const real_t t86 = TB_COPYSIGN(t85, t79);
     const real_t t87 = TB_ABS(t86);
-    const real_t t88 = TB_C(13.86750490563073) * structure[36];
-    const real_t t89 = TB_C(13.86750490563073) * structure[33];
-    const real_t t90 = t7 * (TB_C(13.86750490563073) * structure[32]) + structure[1] * t89;
-    const real_t t91 = TB_C(13.86750490563073) * structure[34];
-    const real_t t92 = TB_C(13.86750490563073) * structure[35];
+    const real_t t88 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t89 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t90 = t7 * (TB_MOMENT_WEIGHT * structure[32]) + structure[1] * t89;
+    const real_t t91 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t92 = TB_MOMENT_WEIGHT * structure[35];
     const real_t t93 = t90 + structure[2] * t91 + structure[3] * t92 + structure[4] * t88;
-    const real_t t94 = TB_C(13.86750490563073) * structure[37];
-    const real_t t95 = TB_C(13.86750490563073) * structure[38];
-    const real_t t96 = TB_C(13.86750490563073) * structure[39];
+    const real_t t94 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t95 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t96 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t97 = t93 + structure[5] * t94 + structure[6] * t95 + structure[7] * t96;
     const real_t t98 = t11 * t97;
     const real_t t99 = t88 - structure[4] * t98;
@@ -1690,15 +1692,15 @@ static tb_status tb_distribute_tension_paper_begin(const real_t structure[48], c
     const real_t t129 = TB_COPYSIGN(t128, t123);
     const real_t t130 = TB_ABS(t129);
     const real_t t131 = tb_min(tb_min(tb_min(tb_min(t6, t23), t49), t87), t130);
-    const real_t t132 = TB_C(13.86750490563073) * structure[45];
-    const real_t t133 = TB_C(13.86750490563073) * structure[41];
-    const real_t t134 = t7 * (TB_C(13.86750490563073) * structure[40]) + structure[1] * t133;
-    const real_t t135 = TB_C(13.86750490563073) * structure[42];
-    const real_t t136 = TB_C(13.86750490563073) * structure[43];
-    const real_t t137 = TB_C(13.86750490563073) * structure[44];
+    const real_t t132 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t133 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t t134 = t7 * (TB_MOMENT_WEIGHT * structure[40]) + structure[1] * t133;
+    const real_t t135 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t t136 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t t137 = TB_MOMENT_WEIGHT * structure[44];
     const real_t t138 = t134 + structure[2] * t135 + structure[3] * t136 + structure[4] * t137;
-    const real_t t139 = TB_C(13.86750490563073) * structure[46];
-    const real_t t140 = TB_C(13.86750490563073) * structure[47];
+    const real_t t139 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t t140 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t141 = t138 + structure[5] * t132 + structure[6] * t139 + structure[7] * t140;
     const real_t t142 = t11 * t141;
     const real_t t143 = t132 - structure[5] * t142;
@@ -1857,21 +1859,21 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t92 = t4 ? t80 : TB_C(0.0);
     const real_t t93 = TB_COPYSIGN(t91, t92);
     const real_t t94 = tb_min(tb_min(TB_ABS(t27), TB_ABS(t54)), TB_ABS(t93));
-    const real_t t95 = TB_C(13.86750490563073) * structure[27];
-    const real_t t96 = TB_C(13.86750490563073) * structure[24];
-    const real_t t97 = TB_C(13.86750490563073) * structure[25];
+    const real_t t95 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t96 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t97 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t98 = t2 ? (t2 ? structure[1] * t97 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t99 = TB_C(13.86750490563073) * structure[26];
+    const real_t t99 = TB_MOMENT_WEIGHT * structure[26];
     const real_t t100 = t4 ? (t4 ? structure[2] * t99 : TB_C(0.0)) : TB_C(0.0);
     const real_t t101 = t6 ? (t6 ? structure[3] * t95 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t102 = TB_C(13.86750490563073) * structure[28];
+    const real_t t102 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t103 = t8 ? (t8 ? structure[4] * t102 : TB_C(0.0)) : TB_C(0.0);
     const real_t t104 = (t0 ? t28 * t96 : TB_C(0.0)) + t98 + t100 + t101 + t103;
-    const real_t t105 = TB_C(13.86750490563073) * structure[29];
+    const real_t t105 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t106 = t10 ? (t10 ? structure[5] * t105 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t107 = TB_C(13.86750490563073) * structure[30];
+    const real_t t107 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t108 = t12 ? (t12 ? structure[6] * t107 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t109 = TB_C(13.86750490563073) * structure[31];
+    const real_t t109 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t110 = t14 ? (t14 ? structure[7] * t109 : TB_C(0.0)) : TB_C(0.0);
     const real_t t111 = t37 * (t104 + t106 + t108 + t110);
     const real_t t112 = t95 - structure[3] * t111;
@@ -1917,21 +1919,21 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t149 = TB_SQRT(t142 + t144 + t146 + t148);
     const real_t t150 = t6 ? t140 : TB_C(0.0);
     const real_t t151 = TB_COPYSIGN(t149, t150);
-    const real_t t152 = TB_C(13.86750490563073) * structure[36];
-    const real_t t153 = TB_C(13.86750490563073) * structure[32];
-    const real_t t154 = TB_C(13.86750490563073) * structure[33];
+    const real_t t152 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t153 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t154 = TB_MOMENT_WEIGHT * structure[33];
     const real_t t155 = t2 ? (t2 ? structure[1] * t154 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t156 = TB_C(13.86750490563073) * structure[34];
+    const real_t t156 = TB_MOMENT_WEIGHT * structure[34];
     const real_t t157 = t4 ? (t4 ? structure[2] * t156 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t158 = TB_C(13.86750490563073) * structure[35];
+    const real_t t158 = TB_MOMENT_WEIGHT * structure[35];
     const real_t t159 = t6 ? (t6 ? structure[3] * t158 : TB_C(0.0)) : TB_C(0.0);
     const real_t t160 = (t0 ? t28 * t153 : TB_C(0.0)) + t155 + t157 + t159;
     const real_t t161 = t8 ? (t8 ? structure[4] * t152 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t162 = TB_C(13.86750490563073) * structure[37];
+    const real_t t162 = TB_MOMENT_WEIGHT * structure[37];
     const real_t t163 = t10 ? (t10 ? structure[5] * t162 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t164 = TB_C(13.86750490563073) * structure[38];
+    const real_t t164 = TB_MOMENT_WEIGHT * structure[38];
     const real_t t165 = t12 ? (t12 ? structure[6] * t164 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t166 = TB_C(13.86750490563073) * structure[39];
+    const real_t t166 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t167 = t14 ? (t14 ? structure[7] * t166 : TB_C(0.0)) : TB_C(0.0);
     const real_t t168 = t37 * (t160 + t161 + t163 + t165 + t167);
     const real_t t169 = t152 - structure[4] * t168;
@@ -1986,21 +1988,21 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t215 = TB_SQRT(t210 + t212 + t214);
     const real_t t216 = t8 ? t207 : TB_C(0.0);
     const real_t t217 = TB_COPYSIGN(t215, t216);
-    const real_t t218 = TB_C(13.86750490563073) * structure[45];
-    const real_t t219 = TB_C(13.86750490563073) * structure[40];
-    const real_t t220 = TB_C(13.86750490563073) * structure[41];
+    const real_t t218 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t219 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t220 = TB_MOMENT_WEIGHT * structure[41];
     const real_t t221 = t2 ? (t2 ? structure[1] * t220 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t222 = TB_C(13.86750490563073) * structure[42];
+    const real_t t222 = TB_MOMENT_WEIGHT * structure[42];
     const real_t t223 = t4 ? (t4 ? structure[2] * t222 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t224 = TB_C(13.86750490563073) * structure[43];
+    const real_t t224 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t225 = t6 ? (t6 ? structure[3] * t224 : TB_C(0.0)) : TB_C(0.0);
     const real_t t226 = (t0 ? t28 * t219 : TB_C(0.0)) + t221 + t223 + t225;
-    const real_t t227 = TB_C(13.86750490563073) * structure[44];
+    const real_t t227 = TB_MOMENT_WEIGHT * structure[44];
     const real_t t228 = t8 ? (t8 ? structure[4] * t227 : TB_C(0.0)) : TB_C(0.0);
     const real_t t229 = t10 ? (t10 ? structure[5] * t218 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t230 = TB_C(13.86750490563073) * structure[46];
+    const real_t t230 = TB_MOMENT_WEIGHT * structure[46];
     const real_t t231 = t12 ? (t12 ? structure[6] * t230 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t232 = TB_C(13.86750490563073) * structure[47];
+    const real_t t232 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t233 = t14 ? (t14 ? structure[7] * t232 : TB_C(0.0)) : TB_C(0.0);
     const real_t t234 = t37 * (t226 + t228 + t229 + t231 + t233);
     const real_t t235 = t218 - structure[5] * t234;
@@ -2065,23 +2067,23 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const bool t291 = TB_C(0.0) <= moving[0];
     const real_t t292 = TB_C(1.0) / t27;
     const real_t t293 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t294 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t295 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t296 = structure[0] * t293 + structure[1] * t294 + structure[2] * t295;
     const real_t t297 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t298 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t299 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t300 = t296 + structure[3] * t297 + structure[4] * t298 + structure[5] * t299;
     const real_t t301 = TB_C(0.0) < side[6] ? TB_C(1000000000000.0) : (side[6] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t302 = TB_C(0.0) < side[7] ? TB_C(1000000000000.0) : (side[7] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t303 = wrench[0] - (t300 + structure[6] * t301 + structure[7] * t302);
     const real_t t304 = t303 * t292;
     const real_t t305 = (t0 ? structure[8] : TB_C(0.0)) - t28 * t38;
@@ -2101,7 +2103,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t319 = (t318 + t311 * t312) * t313;
     const real_t t320 = (t4 ? t128 : TB_C(0.0)) - t127 * t139;
     const real_t t321 = TB_C(1.0) / t151;
-    const real_t t322 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t322 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t323 = t96 * t293 + t97 * t294 + t99 * t295 + t95 * t297;
     const real_t t324 = t323 + t102 * t298 + t105 * t299 + t107 * t301 + t109 * t302;
     const real_t t325 = (t0 ? t96 : TB_C(0.0)) - t28 * t111;
@@ -2110,7 +2112,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t328 = t327 * t321;
     const real_t t329 = (t6 ? t197 : TB_C(0.0)) - t196 * t206;
     const real_t t330 = TB_C(1.0) / t217;
-    const real_t t331 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t331 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t332 = t153 * t293 + t154 * t294 + t156 * t295 + t158 * t297;
     const real_t t333 = t332 + t152 * t298 + t162 * t299 + t164 * t301 + t166 * t302;
     const real_t t334 = (t0 ? t153 : TB_C(0.0)) - t28 * t168;
@@ -2120,7 +2122,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t338 = (t337 + t328 * t329) * t330;
     const real_t t339 = (t8 ? t273 : TB_C(0.0)) - t272 * t280;
     const real_t t340 = TB_C(1.0) / t287;
-    const real_t t341 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t341 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t342 = t219 * t293 + t220 * t294 + t222 * t295 + t224 * t297;
     const real_t t343 = t342 + t227 * t298 + t218 * t299 + t230 * t301 + t232 * t302;
     const real_t t344 = (t0 ? t219 : TB_C(0.0)) - t28 * t234;
@@ -2138,35 +2140,35 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t356 = t292 * (t355 + t344 * t349);
     const real_t t357 = structure[4] * t356 + structure[12] * t354 + structure[20] * t352;
     const real_t t358 = t357 + t102 * t351 + t152 * t350 + t227 * t349;
-    const real_t t359 = tb_max(TB_C(0.5) - t358, t358 - TB_C(1000000000000.0));
+    const real_t t359 = tb_max(TB_TENSION_MIN - t358, t358 - TB_C(1000000000000.0));
     const real_t t360 = TB_C(0.0) < t9 ? t359 : -TB_C(1.0);
     const real_t t361 = structure[5] * t356 + structure[13] * t354 + structure[21] * t352;
     const real_t t362 = t361 + t105 * t351 + t162 * t350 + t218 * t349;
-    const real_t t363 = tb_max(TB_C(0.5) - t362, t362 - TB_C(1000000000000.0));
+    const real_t t363 = tb_max(TB_TENSION_MIN - t362, t362 - TB_C(1000000000000.0));
     const real_t t364 = TB_C(0.0) < t11 ? t363 : -TB_C(1.0);
     const real_t t365 = structure[6] * t356 + structure[14] * t354 + structure[22] * t352;
     const real_t t366 = t365 + t107 * t351 + t164 * t350 + t230 * t349;
-    const real_t t367 = tb_max(TB_C(0.5) - t366, t366 - TB_C(1000000000000.0));
+    const real_t t367 = tb_max(TB_TENSION_MIN - t366, t366 - TB_C(1000000000000.0));
     const real_t t368 = TB_C(0.0) < t13 ? t367 : -TB_C(1.0);
     const real_t t369 = structure[7] * t356 + structure[15] * t354 + structure[23] * t352;
     const real_t t370 = t369 + t109 * t351 + t166 * t350 + t232 * t349;
-    const real_t t371 = tb_max(TB_C(0.5) - t370, t370 - TB_C(1000000000000.0));
+    const real_t t371 = tb_max(TB_TENSION_MIN - t370, t370 - TB_C(1000000000000.0));
     const real_t t372 = TB_C(0.0) < t15 ? t371 : -TB_C(1.0);
     const real_t t373 = structure[0] * t356 + structure[8] * t354 + structure[16] * t352;
     const real_t t374 = t373 + t96 * t351 + t153 * t350 + t219 * t349;
-    const real_t t375 = tb_max(TB_C(0.5) - t374, t374 - TB_C(1000000000000.0));
+    const real_t t375 = tb_max(TB_TENSION_MIN - t374, t374 - TB_C(1000000000000.0));
     const real_t t376 = TB_C(0.0) < t1 ? t375 : -TB_C(1.0);
     const real_t t377 = structure[1] * t356 + structure[9] * t354 + structure[17] * t352;
     const real_t t378 = t377 + t97 * t351 + t154 * t350 + t220 * t349;
-    const real_t t379 = tb_max(TB_C(0.5) - t378, t378 - TB_C(1000000000000.0));
+    const real_t t379 = tb_max(TB_TENSION_MIN - t378, t378 - TB_C(1000000000000.0));
     const real_t t380 = TB_C(0.0) < t3 ? t379 : -TB_C(1.0);
     const real_t t381 = structure[2] * t356 + structure[10] * t354 + structure[18] * t352;
     const real_t t382 = t381 + t99 * t351 + t156 * t350 + t222 * t349;
-    const real_t t383 = tb_max(TB_C(0.5) - t382, t382 - TB_C(1000000000000.0));
+    const real_t t383 = tb_max(TB_TENSION_MIN - t382, t382 - TB_C(1000000000000.0));
     const real_t t384 = TB_C(0.0) < t5 ? t383 : -TB_C(1.0);
     const real_t t385 = structure[3] * t356 + structure[11] * t354 + structure[19] * t352;
     const real_t t386 = t385 + t95 * t351 + t158 * t350 + t224 * t349;
-    const real_t t387 = tb_max(TB_C(0.5) - t386, t386 - TB_C(1000000000000.0));
+    const real_t t387 = tb_max(TB_TENSION_MIN - t386, t386 - TB_C(1000000000000.0));
     const real_t t388 = TB_C(0.0) < t7 ? t387 : -TB_C(1.0);
     real_t t389, t390, t391, t392, t393, t394, t395, t396;
     if (t291) {
@@ -2309,7 +2311,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const bool t478 = t477 < TB_C(500000000000.25);
     real_t t479;
     if (t16 && t290 * t290 < t476) {
-        const real_t t480 = t478 ? TB_C(0.5) - t477 : t477 - TB_C(1000000000000.0);
+        const real_t t480 = t478 ? TB_TENSION_MIN - t477 : t477 - TB_C(1000000000000.0);
         t479 = tb_max(t480, TB_C(0.0)) * (TB_C(1.0) / t476);
     } else {
         t479 = TB_C(1e+30);
@@ -2385,7 +2387,7 @@ static tb_status tb_distribute_tension_paper_step(const real_t structure[48], co
     const real_t t509 = tb_max(tb_max(tb_max(tb_max(t376, t380), t384), t388), t360);
     const real_t t510 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t511 = t510 + TB_ABS(t322) + TB_ABS(t331) + TB_ABS(t341);
-    const real_t t512 = t289 * (TB_EPSILON * TB_C(8.0) * (TB_C(0.5) + t511));
+    const real_t t512 = t289 * (TB_EPSILON * TB_C(8.0) * (TB_TENSION_MIN + t511));
     const bool t513 = tb_max(tb_max(tb_max(t509, t364), t368), t372) <= t512;
     const bool t514 = (!t291 && t513) || !(tb_min(t479, t507) < TB_C(1e+30));
     const real_t t515 = t508 && !t514 ? t400 : -TB_C(1.0);
@@ -2448,23 +2450,23 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     real_t kkt_residual[1])
 {
     const real_t t0 = TB_C(0.0) < side[0] ? TB_C(1000000000000.0) : (side[0] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t1 = TB_C(0.0) < side[1] ? TB_C(1000000000000.0) : (side[1] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t2 = TB_C(0.0) < side[2] ? TB_C(1000000000000.0) : (side[2] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t3 = t0 * structure[0] + structure[1] * t1 + structure[2] * t2;
     const real_t t4 = TB_C(0.0) < side[3] ? TB_C(1000000000000.0) : (side[3] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t5 = TB_C(0.0) < side[4] ? TB_C(1000000000000.0) : (side[4] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t6 = TB_C(0.0) < side[5] ? TB_C(1000000000000.0) : (side[5] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t7 = t3 + structure[3] * t4 + structure[4] * t5 + structure[5] * t6;
     const real_t t8 = TB_C(0.0) < side[6] ? TB_C(1000000000000.0) : (side[6] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t9 = TB_C(0.0) < side[7] ? TB_C(1000000000000.0) : (side[7] < TB_C(0.0) ?
-        TB_C(0.5) : TB_C(0.0));
+        TB_TENSION_MIN : TB_C(0.0));
     const real_t t10 = wrench[0] - (t7 + structure[6] * t8 + structure[7] * t9);
     const bool t11 = TB_C(0.0) == side[0];
     const real_t t12 = t11 ? (t11 ? structure[0] * structure[0] : TB_C(0.0)) : TB_C(0.0);
@@ -2569,21 +2571,21 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t108 = TB_COPYSIGN(t106, t107);
     const real_t t109 = TB_C(1.0) / t108;
     const real_t t110 = (t93 + t31 * t94 + t64 * t90) * t109;
-    const real_t t111 = TB_C(13.86750490563073) * structure[26];
-    const real_t t112 = TB_C(13.86750490563073) * structure[24];
-    const real_t t113 = TB_C(13.86750490563073) * structure[25];
+    const real_t t111 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t112 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t113 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t114 = t13 ? (t13 ? structure[1] * t113 : TB_C(0.0)) : TB_C(0.0);
     const real_t t115 = t15 ? (t15 ? structure[2] * t111 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t116 = TB_C(13.86750490563073) * structure[27];
+    const real_t t116 = TB_MOMENT_WEIGHT * structure[27];
     const real_t t117 = t17 ? (t17 ? structure[3] * t116 : TB_C(0.0)) : TB_C(0.0);
     const real_t t118 = (t11 ? t32 * t112 : TB_C(0.0)) + t114 + t115 + t117;
-    const real_t t119 = TB_C(13.86750490563073) * structure[28];
+    const real_t t119 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t120 = t19 ? (t19 ? structure[4] * t119 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t121 = TB_C(13.86750490563073) * structure[29];
+    const real_t t121 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t122 = t21 ? (t21 ? structure[5] * t121 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t123 = TB_C(13.86750490563073) * structure[30];
+    const real_t t123 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t124 = t23 ? (t23 ? structure[6] * t123 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t125 = TB_C(13.86750490563073) * structure[31];
+    const real_t t125 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t126 = t25 ? (t25 ? structure[7] * t125 : TB_C(0.0)) : TB_C(0.0);
     const real_t t127 = t41 * (t118 + t120 + t122 + t124 + t126);
     const real_t t128 = t111 - structure[2] * t127;
@@ -2617,7 +2619,7 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t154 = TB_C(1.0) / (t106 * (t106 + TB_ABS(t107)));
     const real_t t155 = (t147 + t149 + t151 + t153) * t154;
     const real_t t156 = (t15 ? t142 : TB_C(0.0)) - t143 * t155;
-    const real_t t157 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t157 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t158 = t0 * t112 + t1 * t113 + t2 * t111 + t4 * t116 + t5 * t119;
     const real_t t159 = t157 - (t158 + t6 * t121 + t8 * t123 + t9 * t125);
     const real_t t160 = (t11 ? t112 : TB_C(0.0)) - t32 * t127;
@@ -2637,21 +2639,21 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t174 = TB_COPYSIGN(t172, t173);
     const real_t t175 = TB_C(1.0) / t174;
     const real_t t176 = (t159 + t31 * t160 + t64 * t161 + t110 * t156) * t175;
-    const real_t t177 = TB_C(13.86750490563073) * structure[35];
-    const real_t t178 = TB_C(13.86750490563073) * structure[32];
-    const real_t t179 = TB_C(13.86750490563073) * structure[33];
+    const real_t t177 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t178 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t179 = TB_MOMENT_WEIGHT * structure[33];
     const real_t t180 = t13 ? (t13 ? structure[1] * t179 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t181 = TB_C(13.86750490563073) * structure[34];
+    const real_t t181 = TB_MOMENT_WEIGHT * structure[34];
     const real_t t182 = t15 ? (t15 ? structure[2] * t181 : TB_C(0.0)) : TB_C(0.0);
     const real_t t183 = t17 ? (t17 ? structure[3] * t177 : TB_C(0.0)) : TB_C(0.0);
     const real_t t184 = (t11 ? t32 * t178 : TB_C(0.0)) + t180 + t182 + t183;
-    const real_t t185 = TB_C(13.86750490563073) * structure[36];
+    const real_t t185 = TB_MOMENT_WEIGHT * structure[36];
     const real_t t186 = t19 ? (t19 ? structure[4] * t185 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t187 = TB_C(13.86750490563073) * structure[37];
+    const real_t t187 = TB_MOMENT_WEIGHT * structure[37];
     const real_t t188 = t21 ? (t21 ? structure[5] * t187 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t189 = TB_C(13.86750490563073) * structure[38];
+    const real_t t189 = TB_MOMENT_WEIGHT * structure[38];
     const real_t t190 = t23 ? (t23 ? structure[6] * t189 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t191 = TB_C(13.86750490563073) * structure[39];
+    const real_t t191 = TB_MOMENT_WEIGHT * structure[39];
     const real_t t192 = t25 ? (t25 ? structure[7] * t191 : TB_C(0.0)) : TB_C(0.0);
     const real_t t193 = t41 * (t184 + t186 + t188 + t190 + t192);
     const real_t t194 = t177 - structure[3] * t193;
@@ -2696,7 +2698,7 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t231 = TB_C(1.0) / (t172 * (t172 + TB_ABS(t173)));
     const real_t t232 = (t228 + t230) * t231;
     const real_t t233 = (t17 ? t220 : TB_C(0.0)) - t221 * t232;
-    const real_t t234 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t234 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t235 = t0 * t178 + t1 * t179 + t2 * t181 + t4 * t177 + t5 * t185;
     const real_t t236 = t234 - (t235 + t6 * t187 + t8 * t189 + t9 * t191);
     const real_t t237 = (t11 ? t178 : TB_C(0.0)) - t32 * t193;
@@ -2716,21 +2718,21 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t251 = TB_COPYSIGN(t249, t250);
     const real_t t252 = TB_C(1.0) / t251;
     const real_t t253 = t240 * t252;
-    const real_t t254 = TB_C(13.86750490563073) * structure[44];
-    const real_t t255 = TB_C(13.86750490563073) * structure[40];
-    const real_t t256 = TB_C(13.86750490563073) * structure[41];
+    const real_t t254 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t t255 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t256 = TB_MOMENT_WEIGHT * structure[41];
     const real_t t257 = t13 ? (t13 ? structure[1] * t256 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t258 = TB_C(13.86750490563073) * structure[42];
+    const real_t t258 = TB_MOMENT_WEIGHT * structure[42];
     const real_t t259 = t15 ? (t15 ? structure[2] * t258 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t260 = TB_C(13.86750490563073) * structure[43];
+    const real_t t260 = TB_MOMENT_WEIGHT * structure[43];
     const real_t t261 = t17 ? (t17 ? structure[3] * t260 : TB_C(0.0)) : TB_C(0.0);
     const real_t t262 = (t11 ? t32 * t255 : TB_C(0.0)) + t257 + t259 + t261;
     const real_t t263 = t19 ? (t19 ? structure[4] * t254 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t264 = TB_C(13.86750490563073) * structure[45];
+    const real_t t264 = TB_MOMENT_WEIGHT * structure[45];
     const real_t t265 = t21 ? (t21 ? structure[5] * t264 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t266 = TB_C(13.86750490563073) * structure[46];
+    const real_t t266 = TB_MOMENT_WEIGHT * structure[46];
     const real_t t267 = t23 ? (t23 ? structure[6] * t266 : TB_C(0.0)) : TB_C(0.0);
-    const real_t t268 = TB_C(13.86750490563073) * structure[47];
+    const real_t t268 = TB_MOMENT_WEIGHT * structure[47];
     const real_t t269 = t25 ? (t25 ? structure[7] * t268 : TB_C(0.0)) : TB_C(0.0);
     const real_t t270 = t41 * (t262 + t263 + t265 + t267 + t269);
     const real_t t271 = t254 - structure[4] * t270;
@@ -2783,7 +2785,7 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t316 = (t19 ? t308 * t309 : TB_C(0.0)) + t311 + t313 + t315;
     const real_t t317 = t316 * (TB_C(1.0) / (t249 * (t249 + TB_ABS(t250))));
     const real_t t318 = (t19 ? t308 : TB_C(0.0)) - t309 * t317;
-    const real_t t319 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t319 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t320 = t0 * t255 + t1 * t256 + t2 * t258 + t4 * t260 + t5 * t254;
     const real_t t321 = t319 - (t320 + t6 * t264 + t8 * t266 + t9 * t268);
     const real_t t322 = (t11 ? t255 : TB_C(0.0)) - t32 * t270;
@@ -2909,19 +2911,19 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t421 = tb_max(TB_C(0.0), t418) * tb_min(TB_C(1.0), t420);
     const real_t t422 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t423 = t422 + TB_ABS(t157) + TB_ABS(t234) + TB_ABS(t319);
-    const real_t t424 = TB_C(0.5) + t423;
+    const real_t t424 = TB_TENSION_MIN + t423;
     const real_t t425 = tb_max(tb_max(TB_ABS(t342), TB_ABS(t340)), TB_ABS(t338));
     const real_t t426 = tb_max(tb_max(tb_max(t425, TB_ABS(t337)), TB_ABS(t336)), TB_ABS(t335));
-    const real_t t427 = tb_min(tb_max(t11 ? t400 : t0, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t428 = tb_min(tb_max(t13 ? t402 : t1, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t429 = tb_min(tb_max(t15 ? t405 : t2, TB_C(0.5)), TB_C(1000000000000.0));
+    const real_t t427 = tb_min(tb_max(t11 ? t400 : t0, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t428 = tb_min(tb_max(t13 ? t402 : t1, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t429 = tb_min(tb_max(t15 ? t405 : t2, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t430 = structure[0] * t427 + structure[1] * t428 + structure[2] * t429;
-    const real_t t431 = tb_min(tb_max(t17 ? t407 : t4, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t432 = tb_min(tb_max(t19 ? t410 : t5, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t433 = tb_min(tb_max(t21 ? t412 : t6, TB_C(0.5)), TB_C(1000000000000.0));
+    const real_t t431 = tb_min(tb_max(t17 ? t407 : t4, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t432 = tb_min(tb_max(t19 ? t410 : t5, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t433 = tb_min(tb_max(t21 ? t412 : t6, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t434 = t430 + structure[3] * t431 + structure[4] * t432 + structure[5] * t433;
-    const real_t t435 = tb_min(tb_max(t23 ? t415 : t8, TB_C(0.5)), TB_C(1000000000000.0));
-    const real_t t436 = tb_min(tb_max(t25 ? t417 : t9, TB_C(0.5)), TB_C(1000000000000.0));
+    const real_t t435 = tb_min(tb_max(t23 ? t415 : t8, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t436 = tb_min(tb_max(t25 ? t417 : t9, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t437 = t434 + structure[6] * t435 + structure[7] * t436 - wrench[0];
     const real_t t438 = tb_max(t421 * t424 * (TB_C(1.0) / tb_max(t424, t426)), TB_ABS(t437));
     const real_t t439 = structure[8] * t427 + structure[9] * t428 + structure[10] * t429;
@@ -2948,24 +2950,24 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     real_t tension_0, tension_1, tension_2, tension_3, tension_4, tension_5, tension_6,
         tension_7, kkt_residual_0;
     if (t458) {
-        tension_0 = tb_min(t427, TB_C(8.0));
-        tension_1 = tb_min(t428, TB_C(8.0));
-        tension_2 = tb_min(t429, TB_C(8.0));
-        tension_3 = tb_min(t431, TB_C(8.0));
-        tension_4 = tb_min(t432, TB_C(8.0));
-        tension_5 = tb_min(t433, TB_C(8.0));
-        tension_6 = tb_min(t435, TB_C(8.0));
-        tension_7 = tb_min(t436, TB_C(8.0));
+        tension_0 = tb_min(t427, TB_TENSION_MAX);
+        tension_1 = tb_min(t428, TB_TENSION_MAX);
+        tension_2 = tb_min(t429, TB_TENSION_MAX);
+        tension_3 = tb_min(t431, TB_TENSION_MAX);
+        tension_4 = tb_min(t432, TB_TENSION_MAX);
+        tension_5 = tb_min(t433, TB_TENSION_MAX);
+        tension_6 = tb_min(t435, TB_TENSION_MAX);
+        tension_7 = tb_min(t436, TB_TENSION_MAX);
         kkt_residual_0 = t454;
     } else {
-        tension_0 = TB_C(0.5);
-        tension_1 = TB_C(0.5);
-        tension_2 = TB_C(0.5);
-        tension_3 = TB_C(0.5);
-        tension_4 = TB_C(0.5);
-        tension_5 = TB_C(0.5);
-        tension_6 = TB_C(0.5);
-        tension_7 = TB_C(0.5);
+        tension_0 = TB_TENSION_MIN;
+        tension_1 = TB_TENSION_MIN;
+        tension_2 = TB_TENSION_MIN;
+        tension_3 = TB_TENSION_MIN;
+        tension_4 = TB_TENSION_MIN;
+        tension_5 = TB_TENSION_MIN;
+        tension_6 = TB_TENSION_MIN;
+        tension_7 = TB_TENSION_MIN;
         kkt_residual_0 = TB_C(0.0);
     }
     const bool t459 = !t458;
@@ -2993,9 +2995,10 @@ static tb_status tb_distribute_tension_paper_finish(const real_t structure[48], 
     const real_t t476 = t475 + structure[42] * tension_2 + structure[43] * tension_3;
     const real_t t477 = t476 + structure[44] * tension_4 + structure[45] * tension_5;
     const real_t delivered_5 = t477 + structure[46] * tension_6 + structure[47] * tension_7;
-    const bool t478 = TB_C(8.0) < t427 || TB_C(8.0) < t428 || TB_C(8.0) < t429;
-    const bool t479 = t478 || TB_C(8.0) < t431 || TB_C(8.0) < t432 || TB_C(8.0) < t433;
-    const bool t480 = t479 || TB_C(8.0) < t435 || TB_C(8.0) < t436;
+    const bool t478 = TB_TENSION_MAX < t427 || TB_TENSION_MAX < t428 || TB_TENSION_MAX < t429;
+    const bool t479 = t478 || TB_TENSION_MAX < t431 || TB_TENSION_MAX < t432 || TB_TENSION_MAX
+        < t433;
+    const bool t480 = t479 || TB_TENSION_MAX < t435 || TB_TENSION_MAX < t436;
     tension[0] = tension_0;
     tension[1] = tension_1;
     tension[2] = tension_2;
@@ -3031,14 +3034,14 @@ tb_status tb_distribute_tension_paper(const real_t structure[48], const real_t w
         status = TB_INACCURATE;
     }
     if (status != TB_OK) {
-        tension[0] = TB_C(0.5);
-        tension[1] = TB_C(0.5);
-        tension[2] = TB_C(0.5);
-        tension[3] = TB_C(0.5);
-        tension[4] = TB_C(0.5);
-        tension[5] = TB_C(0.5);
-        tension[6] = TB_C(0.5);
-        tension[7] = TB_C(0.5);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
+        tension[4] = TB_TENSION_MIN;
+        tension[5] = TB_TENSION_MIN;
+        tension[6] = TB_TENSION_MIN;
+        tension[7] = TB_TENSION_MIN;
         delivered[0] = TB_C(0.0);
         delivered[1] = TB_C(0.0);
         delivered[2] = TB_C(0.0);
@@ -3141,72 +3144,72 @@ static tb_status tb_served_wrench_closest_begin(const real_t structure[48], cons
     }
     const real_t t0 = structure[0] + structure[1] + structure[2] + structure[3];
     const real_t t1 = t0 + structure[4] + structure[5] + structure[6] + structure[7];
-    const real_t t2 = TB_C(4.25) * t1 - wrench[0];
+    const real_t t2 = TB_TENSION_MIDDLE * t1 - wrench[0];
     const real_t t3 = structure[8] + structure[9] + structure[10] + structure[11];
     const real_t t4 = t3 + structure[12] + structure[13] + structure[14];
-    const real_t t5 = TB_C(4.25) * (t4 + structure[15]) - wrench[1];
+    const real_t t5 = TB_TENSION_MIDDLE * (t4 + structure[15]) - wrench[1];
     const real_t t6 = structure[16] + structure[17] + structure[18] + structure[19];
     const real_t t7 = t6 + structure[20] + structure[21] + structure[22];
-    const real_t t8 = TB_C(4.25) * (t7 + structure[23]) - wrench[2];
+    const real_t t8 = TB_TENSION_MIDDLE * (t7 + structure[23]) - wrench[2];
     const real_t t9 = structure[0] * t2 + structure[8] * t5 + structure[16] * t8;
-    const real_t t10 = TB_C(13.86750490563073) * structure[24];
-    const real_t t11 = TB_C(13.86750490563073) * structure[25];
-    const real_t t12 = TB_C(13.86750490563073) * structure[26];
-    const real_t t13 = TB_C(13.86750490563073) * structure[27];
-    const real_t t14 = TB_C(13.86750490563073) * structure[28];
-    const real_t t15 = TB_C(13.86750490563073) * structure[29];
-    const real_t t16 = TB_C(13.86750490563073) * structure[30];
-    const real_t t17 = TB_C(13.86750490563073) * structure[31];
-    const real_t t18 = TB_C(4.25) * (t10 + t11 + t12 + t13 + t14 + t15 + t16 + t17);
-    const real_t t19 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t10 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t t11 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t t12 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t t13 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t t14 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t t15 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t t16 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t t17 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t t18 = TB_TENSION_MIDDLE * (t10 + t11 + t12 + t13 + t14 + t15 + t16 + t17);
+    const real_t t19 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t20 = t18 - t19;
-    const real_t t21 = TB_C(13.86750490563073) * structure[32];
-    const real_t t22 = TB_C(13.86750490563073) * structure[33];
-    const real_t t23 = TB_C(13.86750490563073) * structure[34];
-    const real_t t24 = TB_C(13.86750490563073) * structure[35];
-    const real_t t25 = TB_C(13.86750490563073) * structure[36];
-    const real_t t26 = TB_C(13.86750490563073) * structure[37];
-    const real_t t27 = TB_C(13.86750490563073) * structure[38];
-    const real_t t28 = TB_C(13.86750490563073) * structure[39];
-    const real_t t29 = TB_C(4.25) * (t21 + t22 + t23 + t24 + t25 + t26 + t27 + t28);
-    const real_t t30 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t21 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t22 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t23 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t24 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t25 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t26 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t27 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t28 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t t29 = TB_TENSION_MIDDLE * (t21 + t22 + t23 + t24 + t25 + t26 + t27 + t28);
+    const real_t t30 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t31 = t29 - t30;
-    const real_t t32 = TB_C(13.86750490563073) * structure[40];
-    const real_t t33 = TB_C(13.86750490563073) * structure[41];
-    const real_t t34 = TB_C(13.86750490563073) * structure[42];
-    const real_t t35 = TB_C(13.86750490563073) * structure[43];
-    const real_t t36 = TB_C(13.86750490563073) * structure[44];
-    const real_t t37 = TB_C(13.86750490563073) * structure[45];
-    const real_t t38 = TB_C(13.86750490563073) * structure[46];
-    const real_t t39 = TB_C(13.86750490563073) * structure[47];
-    const real_t t40 = TB_C(4.25) * (t32 + t33 + t34 + t35 + t36 + t37 + t38 + t39);
-    const real_t t41 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t32 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t t33 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t t34 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t t35 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t t36 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t t37 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t t38 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t t39 = TB_MOMENT_WEIGHT * structure[47];
+    const real_t t40 = TB_TENSION_MIDDLE * (t32 + t33 + t34 + t35 + t36 + t37 + t38 + t39);
+    const real_t t41 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t42 = t40 - t41;
     const bool t43 = t9 + t10 * t20 + t21 * t31 + t32 * t42 < TB_C(0.0);
-    const real_t t44 = t43 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t44 = t43 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t45 = structure[1] * t2 + structure[9] * t5 + structure[17] * t8;
     const bool t46 = t45 + t11 * t20 + t22 * t31 + t33 * t42 < TB_C(0.0);
-    const real_t t47 = t46 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t47 = t46 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t48 = structure[2] * t2 + structure[10] * t5 + structure[18] * t8;
     const bool t49 = t48 + t12 * t20 + t23 * t31 + t34 * t42 < TB_C(0.0);
-    const real_t t50 = t49 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t50 = t49 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t51 = structure[0] * t44 + structure[1] * t47 + structure[2] * t50;
     const real_t t52 = structure[3] * t2 + structure[11] * t5 + structure[19] * t8;
     const bool t53 = t52 + t13 * t20 + t24 * t31 + t35 * t42 < TB_C(0.0);
-    const real_t t54 = t53 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t54 = t53 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t55 = structure[4] * t2 + structure[12] * t5 + structure[20] * t8;
     const bool t56 = t55 + t14 * t20 + t25 * t31 + t36 * t42 < TB_C(0.0);
-    const real_t t57 = t56 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t57 = t56 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t58 = structure[5] * t2 + structure[13] * t5 + structure[21] * t8;
     const bool t59 = t58 + t15 * t20 + t26 * t31 + t37 * t42 < TB_C(0.0);
-    const real_t t60 = t59 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t60 = t59 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t61 = t51 + structure[3] * t54 + structure[4] * t57 + structure[5] * t60;
     const real_t t62 = structure[6] * t2 + structure[14] * t5 + structure[22] * t8;
     const bool t63 = t62 + t16 * t20 + t27 * t31 + t38 * t42 < TB_C(0.0);
-    const real_t t64 = t63 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t64 = t63 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t65 = structure[7] * t2 + structure[15] * t5 + structure[23] * t8;
     const bool t66 = t65 + t17 * t20 + t28 * t31 + t39 * t42 < TB_C(0.0);
-    const real_t t67 = t66 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t67 = t66 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t points_0 = t61 + structure[6] * t64 + structure[7] * t67 - wrench[0];
     const real_t t68 = structure[8] * t44 + structure[9] * t47 + structure[10] * t50;
     const real_t t69 = t68 + structure[11] * t54 + structure[12] * t57 + structure[13] * t60;
@@ -4095,69 +4098,69 @@ static tb_status tb_served_wrench_closest_step(const real_t structure[48], const
     const real_t t704 = offset_0 * structure[0] + structure[8] * offset_1;
     const real_t t705 = t461 ? -(t461 ? t466 * t701 : TB_C(0.0)) : TB_C(0.0);
     const real_t offset_2 = t693 + t705;
-    const real_t t706 = TB_C(13.86750490563073) * structure[24];
+    const real_t t706 = TB_MOMENT_WEIGHT * structure[24];
     const real_t t707 = t461 ? -(t461 ? t467 * t701 : TB_C(0.0)) : TB_C(0.0);
     const real_t offset_3 = t695 + t707;
     const real_t t708 = t704 + structure[16] * offset_2 + t706 * offset_3;
-    const real_t t709 = TB_C(13.86750490563073) * structure[32];
+    const real_t t709 = TB_MOMENT_WEIGHT * structure[32];
     const real_t t710 = t461 ? -(t461 ? t469 * t701 : TB_C(0.0)) : TB_C(0.0);
     const real_t offset_4 = t698 + t710;
-    const real_t t711 = TB_C(13.86750490563073) * structure[40];
+    const real_t t711 = TB_MOMENT_WEIGHT * structure[40];
     const real_t t712 = t461 ? -(t461 ? t470 * t701 : TB_C(0.0)) : TB_C(0.0);
     const real_t offset_5 = t700 + t712;
     const bool t713 = t708 + t709 * offset_4 + t711 * offset_5 < TB_C(0.0);
-    const real_t t714 = t713 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t714 = t713 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t715 = offset_0 * structure[1] + offset_1 * structure[9];
-    const real_t t716 = TB_C(13.86750490563073) * structure[25];
+    const real_t t716 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t717 = t715 + offset_2 * structure[17] + offset_3 * t716;
-    const real_t t718 = TB_C(13.86750490563073) * structure[33];
-    const real_t t719 = TB_C(13.86750490563073) * structure[41];
+    const real_t t718 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t719 = TB_MOMENT_WEIGHT * structure[41];
     const bool t720 = t717 + offset_4 * t718 + offset_5 * t719 < TB_C(0.0);
-    const real_t t721 = t720 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t721 = t720 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t722 = offset_0 * structure[2] + offset_1 * structure[10];
-    const real_t t723 = TB_C(13.86750490563073) * structure[26];
+    const real_t t723 = TB_MOMENT_WEIGHT * structure[26];
     const real_t t724 = t722 + offset_2 * structure[18] + offset_3 * t723;
-    const real_t t725 = TB_C(13.86750490563073) * structure[34];
-    const real_t t726 = TB_C(13.86750490563073) * structure[42];
+    const real_t t725 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t726 = TB_MOMENT_WEIGHT * structure[42];
     const bool t727 = t724 + offset_4 * t725 + offset_5 * t726 < TB_C(0.0);
-    const real_t t728 = t727 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t728 = t727 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t729 = structure[0] * t714 + structure[1] * t721 + structure[2] * t728;
     const real_t t730 = offset_0 * structure[3] + offset_1 * structure[11];
-    const real_t t731 = TB_C(13.86750490563073) * structure[27];
+    const real_t t731 = TB_MOMENT_WEIGHT * structure[27];
     const real_t t732 = t730 + offset_2 * structure[19] + offset_3 * t731;
-    const real_t t733 = TB_C(13.86750490563073) * structure[35];
-    const real_t t734 = TB_C(13.86750490563073) * structure[43];
+    const real_t t733 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t734 = TB_MOMENT_WEIGHT * structure[43];
     const bool t735 = t732 + offset_4 * t733 + offset_5 * t734 < TB_C(0.0);
-    const real_t t736 = t735 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t736 = t735 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t737 = offset_0 * structure[4] + offset_1 * structure[12];
-    const real_t t738 = TB_C(13.86750490563073) * structure[28];
+    const real_t t738 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t739 = t737 + offset_2 * structure[20] + offset_3 * t738;
-    const real_t t740 = TB_C(13.86750490563073) * structure[36];
-    const real_t t741 = TB_C(13.86750490563073) * structure[44];
+    const real_t t740 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t741 = TB_MOMENT_WEIGHT * structure[44];
     const bool t742 = t739 + offset_4 * t740 + offset_5 * t741 < TB_C(0.0);
-    const real_t t743 = t742 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t743 = t742 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t744 = offset_0 * structure[5] + offset_1 * structure[13];
-    const real_t t745 = TB_C(13.86750490563073) * structure[29];
+    const real_t t745 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t746 = t744 + offset_2 * structure[21] + offset_3 * t745;
-    const real_t t747 = TB_C(13.86750490563073) * structure[37];
-    const real_t t748 = TB_C(13.86750490563073) * structure[45];
+    const real_t t747 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t748 = TB_MOMENT_WEIGHT * structure[45];
     const bool t749 = t746 + offset_4 * t747 + offset_5 * t748 < TB_C(0.0);
-    const real_t t750 = t749 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t750 = t749 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t751 = t729 + structure[3] * t736 + structure[4] * t743 + structure[5] * t750;
     const real_t t752 = offset_0 * structure[6] + offset_1 * structure[14];
-    const real_t t753 = TB_C(13.86750490563073) * structure[30];
+    const real_t t753 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t754 = t752 + offset_2 * structure[22] + offset_3 * t753;
-    const real_t t755 = TB_C(13.86750490563073) * structure[38];
-    const real_t t756 = TB_C(13.86750490563073) * structure[46];
+    const real_t t755 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t756 = TB_MOMENT_WEIGHT * structure[46];
     const bool t757 = t754 + offset_4 * t755 + offset_5 * t756 < TB_C(0.0);
-    const real_t t758 = t757 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t758 = t757 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t759 = offset_0 * structure[7] + offset_1 * structure[15];
-    const real_t t760 = TB_C(13.86750490563073) * structure[31];
+    const real_t t760 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t761 = t759 + offset_2 * structure[23] + offset_3 * t760;
-    const real_t t762 = TB_C(13.86750490563073) * structure[39];
-    const real_t t763 = TB_C(13.86750490563073) * structure[47];
+    const real_t t762 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t t763 = TB_MOMENT_WEIGHT * structure[47];
     const bool t764 = t761 + offset_4 * t762 + offset_5 * t763 < TB_C(0.0);
-    const real_t t765 = t764 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t765 = t764 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t766 = t751 + structure[6] * t758 + structure[7] * t765 - wrench[0];
     const real_t t767 = structure[8] * t714 + structure[9] * t721 + structure[10] * t728;
     const real_t t768 = t767 + structure[11] * t736 + structure[12] * t743;
@@ -4170,16 +4173,16 @@ static tb_status tb_served_wrench_closest_step(const real_t structure[48], const
     const real_t t775 = t774 + structure[23] * t765 - wrench[2];
     const real_t t776 = t706 * t714 + t716 * t721 + t723 * t728 + t731 * t736;
     const real_t t777 = t776 + t738 * t743 + t745 * t750 + t753 * t758 + t760 * t765;
-    const real_t t778 = TB_C(13.86750490563073) * wrench[3];
+    const real_t t778 = TB_MOMENT_WEIGHT * wrench[3];
     const real_t t779 = t777 - t778;
     const real_t t780 = t771 + offset_2 * (offset_2 - t775) + offset_3 * (offset_3 - t779);
     const real_t t781 = t709 * t714 + t718 * t721 + t725 * t728 + t733 * t736;
     const real_t t782 = t781 + t740 * t743 + t747 * t750 + t755 * t758 + t762 * t765;
-    const real_t t783 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t783 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t784 = t782 - t783;
     const real_t t785 = t711 * t714 + t719 * t721 + t726 * t728 + t734 * t736;
     const real_t t786 = t785 + t741 * t743 + t748 * t750 + t756 * t758 + t763 * t765;
-    const real_t t787 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t787 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t788 = t786 - t787;
     const real_t t789 = t780 + offset_4 * (offset_4 - t784) + offset_5 * (offset_5 - t788);
     const real_t t790 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
@@ -4392,22 +4395,22 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[48], con
     const bool t4 = !t3;
     const real_t t5 = structure[0] + structure[1] + structure[2] + structure[3];
     const real_t t6 = t5 + structure[4] + structure[5] + structure[6] + structure[7];
-    const real_t t7 = TB_C(4.25) * t6;
+    const real_t t7 = TB_TENSION_MIDDLE * t6;
     const real_t t8 = structure[8] + structure[9] + structure[10] + structure[11];
     const real_t t9 = t8 + structure[12] + structure[13] + structure[14];
-    const real_t t10 = TB_C(4.25) * (t9 + structure[15]);
+    const real_t t10 = TB_TENSION_MIDDLE * (t9 + structure[15]);
     const real_t t11 = structure[16] + structure[17] + structure[18] + structure[19];
     const real_t t12 = t11 + structure[20] + structure[21] + structure[22];
-    const real_t t13 = TB_C(4.25) * (t12 + structure[23]);
+    const real_t t13 = TB_TENSION_MIDDLE * (t12 + structure[23]);
     const real_t t14 = structure[24] + structure[25] + structure[26] + structure[27];
     const real_t t15 = t14 + structure[28] + structure[29] + structure[30];
-    const real_t t16 = TB_C(4.25) * (t15 + structure[31]);
+    const real_t t16 = TB_TENSION_MIDDLE * (t15 + structure[31]);
     const real_t t17 = structure[32] + structure[33] + structure[34] + structure[35];
     const real_t t18 = t17 + structure[36] + structure[37] + structure[38];
-    const real_t t19 = TB_C(4.25) * (t18 + structure[39]);
+    const real_t t19 = TB_TENSION_MIDDLE * (t18 + structure[39]);
     const real_t t20 = structure[40] + structure[41] + structure[42] + structure[43];
     const real_t t21 = t20 + structure[44] + structure[45] + structure[46];
-    const real_t t22 = TB_C(4.25) * (t21 + structure[47]);
+    const real_t t22 = TB_TENSION_MIDDLE * (t21 + structure[47]);
     real_t served_0, served_1, served_2, served_3, served_4, served_5;
     if (t3) {
         served_0 = wrench[0];
@@ -4421,9 +4424,9 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[48], con
         const real_t t24 = TB_EPSILON * TB_C(32.0);
         const real_t t25 = offset[1] + wrench[1];
         const real_t t26 = offset[2] + wrench[2];
-        const real_t t27 = wrench[3] + offset[3] * TB_C(0.07211102550927978);
-        const real_t t28 = wrench[4] + offset[4] * TB_C(0.07211102550927978);
-        const real_t t29 = wrench[5] + offset[5] * TB_C(0.07211102550927978);
+        const real_t t27 = wrench[3] + offset[3] * TB_LONGEST_ARM;
+        const real_t t28 = wrench[4] + offset[4] * TB_LONGEST_ARM;
+        const real_t t29 = wrench[5] + offset[5] * TB_LONGEST_ARM;
         served_0 = t23 + t24 * (t7 - t23);
         served_1 = t25 + t24 * (t10 - t25);
         served_2 = t26 + t24 * (t13 - t26);
@@ -4438,63 +4441,63 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[48], con
     const real_t inner_4 = served_4 + TB_C(3.814697265625e-06) * (t19 - served_4);
     const real_t inner_5 = served_5 + TB_C(3.814697265625e-06) * (t22 - served_5);
     const real_t t30 = offset[0] * structure[0] + offset[1] * structure[8];
-    const real_t t31 = TB_C(13.86750490563073) * structure[24];
+    const real_t t31 = TB_MOMENT_WEIGHT * structure[24];
     const real_t t32 = t30 + offset[2] * structure[16] + offset[3] * t31;
-    const real_t t33 = TB_C(13.86750490563073) * structure[32];
-    const real_t t34 = TB_C(13.86750490563073) * structure[40];
+    const real_t t33 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t t34 = TB_MOMENT_WEIGHT * structure[40];
     const bool t35 = t32 + offset[4] * t33 + offset[5] * t34 < TB_C(0.0);
-    const real_t t36 = t35 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t36 = t35 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t37 = offset[0] * structure[1] + offset[1] * structure[9];
-    const real_t t38 = TB_C(13.86750490563073) * structure[25];
+    const real_t t38 = TB_MOMENT_WEIGHT * structure[25];
     const real_t t39 = t37 + offset[2] * structure[17] + offset[3] * t38;
-    const real_t t40 = TB_C(13.86750490563073) * structure[33];
-    const real_t t41 = TB_C(13.86750490563073) * structure[41];
+    const real_t t40 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t t41 = TB_MOMENT_WEIGHT * structure[41];
     const bool t42 = t39 + offset[4] * t40 + offset[5] * t41 < TB_C(0.0);
-    const real_t t43 = t42 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t43 = t42 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t44 = offset[0] * structure[2] + offset[1] * structure[10];
-    const real_t t45 = TB_C(13.86750490563073) * structure[26];
+    const real_t t45 = TB_MOMENT_WEIGHT * structure[26];
     const real_t t46 = t44 + offset[2] * structure[18] + offset[3] * t45;
-    const real_t t47 = TB_C(13.86750490563073) * structure[34];
-    const real_t t48 = TB_C(13.86750490563073) * structure[42];
+    const real_t t47 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t t48 = TB_MOMENT_WEIGHT * structure[42];
     const bool t49 = t46 + offset[4] * t47 + offset[5] * t48 < TB_C(0.0);
-    const real_t t50 = t49 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t50 = t49 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t51 = structure[0] * t36 + structure[1] * t43 + structure[2] * t50;
     const real_t t52 = offset[0] * structure[3] + offset[1] * structure[11];
-    const real_t t53 = TB_C(13.86750490563073) * structure[27];
+    const real_t t53 = TB_MOMENT_WEIGHT * structure[27];
     const real_t t54 = t52 + offset[2] * structure[19] + offset[3] * t53;
-    const real_t t55 = TB_C(13.86750490563073) * structure[35];
-    const real_t t56 = TB_C(13.86750490563073) * structure[43];
+    const real_t t55 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t t56 = TB_MOMENT_WEIGHT * structure[43];
     const bool t57 = t54 + offset[4] * t55 + offset[5] * t56 < TB_C(0.0);
-    const real_t t58 = t57 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t58 = t57 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t59 = offset[0] * structure[4] + offset[1] * structure[12];
-    const real_t t60 = TB_C(13.86750490563073) * structure[28];
+    const real_t t60 = TB_MOMENT_WEIGHT * structure[28];
     const real_t t61 = t59 + offset[2] * structure[20] + offset[3] * t60;
-    const real_t t62 = TB_C(13.86750490563073) * structure[36];
-    const real_t t63 = TB_C(13.86750490563073) * structure[44];
+    const real_t t62 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t t63 = TB_MOMENT_WEIGHT * structure[44];
     const bool t64 = t61 + offset[4] * t62 + offset[5] * t63 < TB_C(0.0);
-    const real_t t65 = t64 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t65 = t64 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t66 = offset[0] * structure[5] + offset[1] * structure[13];
-    const real_t t67 = TB_C(13.86750490563073) * structure[29];
+    const real_t t67 = TB_MOMENT_WEIGHT * structure[29];
     const real_t t68 = t66 + offset[2] * structure[21] + offset[3] * t67;
-    const real_t t69 = TB_C(13.86750490563073) * structure[37];
-    const real_t t70 = TB_C(13.86750490563073) * structure[45];
+    const real_t t69 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t t70 = TB_MOMENT_WEIGHT * structure[45];
     const bool t71 = t68 + offset[4] * t69 + offset[5] * t70 < TB_C(0.0);
-    const real_t t72 = t71 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t72 = t71 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t73 = t51 + structure[3] * t58 + structure[4] * t65 + structure[5] * t72;
     const real_t t74 = offset[0] * structure[6] + offset[1] * structure[14];
-    const real_t t75 = TB_C(13.86750490563073) * structure[30];
+    const real_t t75 = TB_MOMENT_WEIGHT * structure[30];
     const real_t t76 = t74 + offset[2] * structure[22] + offset[3] * t75;
-    const real_t t77 = TB_C(13.86750490563073) * structure[38];
-    const real_t t78 = TB_C(13.86750490563073) * structure[46];
+    const real_t t77 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t t78 = TB_MOMENT_WEIGHT * structure[46];
     const bool t79 = t76 + offset[4] * t77 + offset[5] * t78 < TB_C(0.0);
-    const real_t t80 = t79 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t80 = t79 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t81 = offset[0] * structure[7] + offset[1] * structure[15];
-    const real_t t82 = TB_C(13.86750490563073) * structure[31];
+    const real_t t82 = TB_MOMENT_WEIGHT * structure[31];
     const real_t t83 = t81 + offset[2] * structure[23] + offset[3] * t82;
-    const real_t t84 = TB_C(13.86750490563073) * structure[39];
-    const real_t t85 = TB_C(13.86750490563073) * structure[47];
+    const real_t t84 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t t85 = TB_MOMENT_WEIGHT * structure[47];
     const bool t86 = t83 + offset[4] * t84 + offset[5] * t85 < TB_C(0.0);
-    const real_t t87 = t86 ? TB_C(8.0) : TB_C(0.5);
+    const real_t t87 = t86 ? TB_TENSION_MAX : TB_TENSION_MIN;
     const real_t t88 = t73 + structure[6] * t80 + structure[7] * t87 - wrench[0];
     const real_t t89 = structure[8] * t36 + structure[9] * t43 + structure[10] * t50;
     const real_t t90 = t89 + structure[11] * t58 + structure[12] * t65 + structure[13] * t72;
@@ -4504,14 +4507,14 @@ static tb_status tb_served_wrench_closest_finish(const real_t structure[48], con
     const real_t t94 = t93 + structure[19] * t58 + structure[20] * t65 + structure[21] * t72;
     const real_t t95 = t94 + structure[22] * t80 + structure[23] * t87 - wrench[2];
     const real_t t96 = t31 * t36 + t38 * t43 + t45 * t50 + t53 * t58 + t60 * t65;
-    const real_t t97 = wrench[3] * TB_C(13.86750490563073);
+    const real_t t97 = wrench[3] * TB_MOMENT_WEIGHT;
     const real_t t98 = offset[3] - (t96 + t67 * t72 + t75 * t80 + t82 * t87 - t97);
     const real_t t99 = t92 + offset[2] * (offset[2] - t95) + offset[3] * t98;
     const real_t t100 = t33 * t36 + t40 * t43 + t47 * t50 + t55 * t58 + t62 * t65;
-    const real_t t101 = TB_C(13.86750490563073) * wrench[4];
+    const real_t t101 = TB_MOMENT_WEIGHT * wrench[4];
     const real_t t102 = offset[4] - (t100 + t69 * t72 + t77 * t80 + t84 * t87 - t101);
     const real_t t103 = t34 * t36 + t41 * t43 + t48 * t50 + t56 * t58 + t63 * t65;
-    const real_t t104 = TB_C(13.86750490563073) * wrench[5];
+    const real_t t104 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t105 = offset[5] - (t103 + t70 * t72 + t78 * t80 + t85 * t87 - t104);
     const real_t t106 = TB_ABS(wrench[0]) + TB_ABS(wrench[1]) + TB_ABS(wrench[2]);
     const real_t t107 = TB_C(64.0) + (t106 + TB_ABS(t97) + TB_ABS(t101) + TB_ABS(t104));
@@ -4675,33 +4678,33 @@ static tb_status tb_wrench_ray_begin(const real_t structure[48], const real_t wr
               TB_ABS(wrench[4]) + TB_ABS(wrench[5]) <= TB_C(384000.0))) {
         return tb_refuse_wrench_ray_begin(TB_OUT_OF_DOMAIN, weighed, asked, inside, largest, first, last);
     }
-    const real_t weighed_24 = TB_C(13.86750490563073) * structure[24];
-    const real_t weighed_25 = TB_C(13.86750490563073) * structure[25];
-    const real_t weighed_26 = TB_C(13.86750490563073) * structure[26];
-    const real_t weighed_27 = TB_C(13.86750490563073) * structure[27];
-    const real_t weighed_28 = TB_C(13.86750490563073) * structure[28];
-    const real_t weighed_29 = TB_C(13.86750490563073) * structure[29];
-    const real_t weighed_30 = TB_C(13.86750490563073) * structure[30];
-    const real_t weighed_31 = TB_C(13.86750490563073) * structure[31];
-    const real_t weighed_32 = TB_C(13.86750490563073) * structure[32];
-    const real_t weighed_33 = TB_C(13.86750490563073) * structure[33];
-    const real_t weighed_34 = TB_C(13.86750490563073) * structure[34];
-    const real_t weighed_35 = TB_C(13.86750490563073) * structure[35];
-    const real_t weighed_36 = TB_C(13.86750490563073) * structure[36];
-    const real_t weighed_37 = TB_C(13.86750490563073) * structure[37];
-    const real_t weighed_38 = TB_C(13.86750490563073) * structure[38];
-    const real_t weighed_39 = TB_C(13.86750490563073) * structure[39];
-    const real_t weighed_40 = TB_C(13.86750490563073) * structure[40];
-    const real_t weighed_41 = TB_C(13.86750490563073) * structure[41];
-    const real_t weighed_42 = TB_C(13.86750490563073) * structure[42];
-    const real_t weighed_43 = TB_C(13.86750490563073) * structure[43];
-    const real_t weighed_44 = TB_C(13.86750490563073) * structure[44];
-    const real_t weighed_45 = TB_C(13.86750490563073) * structure[45];
-    const real_t weighed_46 = TB_C(13.86750490563073) * structure[46];
-    const real_t weighed_47 = TB_C(13.86750490563073) * structure[47];
-    const real_t asked_3 = TB_C(13.86750490563073) * wrench[3];
-    const real_t asked_4 = TB_C(13.86750490563073) * wrench[4];
-    const real_t asked_5 = TB_C(13.86750490563073) * wrench[5];
+    const real_t weighed_24 = TB_MOMENT_WEIGHT * structure[24];
+    const real_t weighed_25 = TB_MOMENT_WEIGHT * structure[25];
+    const real_t weighed_26 = TB_MOMENT_WEIGHT * structure[26];
+    const real_t weighed_27 = TB_MOMENT_WEIGHT * structure[27];
+    const real_t weighed_28 = TB_MOMENT_WEIGHT * structure[28];
+    const real_t weighed_29 = TB_MOMENT_WEIGHT * structure[29];
+    const real_t weighed_30 = TB_MOMENT_WEIGHT * structure[30];
+    const real_t weighed_31 = TB_MOMENT_WEIGHT * structure[31];
+    const real_t weighed_32 = TB_MOMENT_WEIGHT * structure[32];
+    const real_t weighed_33 = TB_MOMENT_WEIGHT * structure[33];
+    const real_t weighed_34 = TB_MOMENT_WEIGHT * structure[34];
+    const real_t weighed_35 = TB_MOMENT_WEIGHT * structure[35];
+    const real_t weighed_36 = TB_MOMENT_WEIGHT * structure[36];
+    const real_t weighed_37 = TB_MOMENT_WEIGHT * structure[37];
+    const real_t weighed_38 = TB_MOMENT_WEIGHT * structure[38];
+    const real_t weighed_39 = TB_MOMENT_WEIGHT * structure[39];
+    const real_t weighed_40 = TB_MOMENT_WEIGHT * structure[40];
+    const real_t weighed_41 = TB_MOMENT_WEIGHT * structure[41];
+    const real_t weighed_42 = TB_MOMENT_WEIGHT * structure[42];
+    const real_t weighed_43 = TB_MOMENT_WEIGHT * structure[43];
+    const real_t weighed_44 = TB_MOMENT_WEIGHT * structure[44];
+    const real_t weighed_45 = TB_MOMENT_WEIGHT * structure[45];
+    const real_t weighed_46 = TB_MOMENT_WEIGHT * structure[46];
+    const real_t weighed_47 = TB_MOMENT_WEIGHT * structure[47];
+    const real_t asked_3 = TB_MOMENT_WEIGHT * wrench[3];
+    const real_t asked_4 = TB_MOMENT_WEIGHT * wrench[4];
+    const real_t asked_5 = TB_MOMENT_WEIGHT * wrench[5];
     const real_t t0 = tb_max(TB_C(1e-06), TB_C(4096.0) * TB_EPSILON);
     const real_t t1 = structure[0] * structure[0] + structure[1] * structure[1];
     const real_t t2 = t1 + structure[2] * structure[2] + structure[3] * structure[3];
@@ -5121,11 +5124,11 @@ static tb_status tb_wrench_ray_visit(const real_t chosen[30], const real_t numbe
             weighed[39]);
         t146 = t148;
     }
-    const real_t t149 = TB_C(3.75) * (t143 + TB_ABS(t146));
+    const real_t t149 = TB_TENSION_HALF_RANGE * (t143 + TB_ABS(t146));
     const real_t t150 = t104 * asked[0] + t105 * asked[1] + t106 * asked[2];
     const real_t t151 = t103 * asked[5] - (t150 + t107 * asked[3] + t108 * asked[4]);
     const real_t t152 = t140 + (t135 + (t130 + (t124 + (t119 + (t109 + t114)))));
-    const real_t t153 = TB_C(4.25) * (t146 + t152);
+    const real_t t153 = TB_TENSION_MIDDLE * (t146 + t152);
     const real_t inside_0 = t80 && t149 < TB_ABS(t151 - t153) ? TB_C(0.0) : inside[0];
     real_t largest_0, first_0, last_0;
     if (t80) {
@@ -5228,22 +5231,22 @@ static tb_status tb_served_fraction(const real_t structure[48], const real_t wre
     const bool t1 = !t0;
     const real_t t2 = structure[0] + structure[1] + structure[2] + structure[3];
     const real_t t3 = t2 + structure[4] + structure[5] + structure[6] + structure[7];
-    const real_t t4 = TB_C(4.25) * t3;
+    const real_t t4 = TB_TENSION_MIDDLE * t3;
     const real_t t5 = structure[8] + structure[9] + structure[10] + structure[11];
     const real_t t6 = t5 + structure[12] + structure[13] + structure[14];
-    const real_t t7 = TB_C(4.25) * (t6 + structure[15]);
+    const real_t t7 = TB_TENSION_MIDDLE * (t6 + structure[15]);
     const real_t t8 = structure[16] + structure[17] + structure[18] + structure[19];
     const real_t t9 = t8 + structure[20] + structure[21] + structure[22];
-    const real_t t10 = TB_C(4.25) * (t9 + structure[23]);
+    const real_t t10 = TB_TENSION_MIDDLE * (t9 + structure[23]);
     const real_t t11 = structure[24] + structure[25] + structure[26] + structure[27];
     const real_t t12 = t11 + structure[28] + structure[29] + structure[30];
-    const real_t t13 = TB_C(4.25) * (t12 + structure[31]);
+    const real_t t13 = TB_TENSION_MIDDLE * (t12 + structure[31]);
     const real_t t14 = structure[32] + structure[33] + structure[34] + structure[35];
     const real_t t15 = t14 + structure[36] + structure[37] + structure[38];
-    const real_t t16 = TB_C(4.25) * (t15 + structure[39]);
+    const real_t t16 = TB_TENSION_MIDDLE * (t15 + structure[39]);
     const real_t t17 = structure[40] + structure[41] + structure[42] + structure[43];
     const real_t t18 = t17 + structure[44] + structure[45] + structure[46];
-    const real_t t19 = TB_C(4.25) * (t18 + structure[47]);
+    const real_t t19 = TB_TENSION_MIDDLE * (t18 + structure[47]);
     real_t served_0, served_1, served_2, served_3, served_4, served_5;
     if (t0) {
         served_0 = wrench[0];

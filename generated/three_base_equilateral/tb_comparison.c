@@ -1,14 +1,15 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N. */
 static tb_status tb_refuse_kernel_tension(tb_status status, real_t tension[3])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
     return status;
 }
 
@@ -56,16 +57,17 @@ tb_status tb_kernel_tension(const real_t structure[6], const real_t wrench[2],
         const real_t t30 = t6 * t29;
         const real_t t31 = t24 + t4 * t30;
         const real_t t32 = t27 - structure[1] * t30;
-        const real_t t33 = tb_max(-((t31 + TB_C(3.0)) / t20), -((TB_C(3.0) - t32) / t21));
+        const real_t t33 = tb_max(-((t31 + TB_TENSION_MIN) / t20), -((TB_TENSION_MIN - t32) /
+            t21));
         const real_t t34 = t28 - structure[2] * t30;
-        const real_t t35 = tb_max(t33, (TB_C(3.0) - t34) / t22);
-        tension_0 = tb_max(-(t31 + t20 * t35), TB_C(3.0));
-        tension_1 = tb_max(t32 - t21 * t35, TB_C(3.0));
-        tension_2 = tb_max(t34 + t22 * t35, TB_C(3.0));
+        const real_t t35 = tb_max(t33, (TB_TENSION_MIN - t34) / t22);
+        tension_0 = tb_max(-(t31 + t20 * t35), TB_TENSION_MIN);
+        tension_1 = tb_max(t32 - t21 * t35, TB_TENSION_MIN);
+        tension_2 = tb_max(t34 + t22 * t35, TB_TENSION_MIN);
     } else {
-        tension_0 = TB_C(3.0);
-        tension_1 = TB_C(3.0);
-        tension_2 = TB_C(3.0);
+        tension_0 = TB_TENSION_MIN;
+        tension_1 = TB_TENSION_MIN;
+        tension_2 = TB_TENSION_MIN;
     }
     const bool t36 = !t23;
     const real_t t37 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
@@ -221,14 +223,14 @@ tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wren
     if (!(TB_ABS(structure[0]) + TB_ABS(structure[1]) + TB_ABS(structure[2]) +
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) <= TB_C(24.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(60000.0))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t t0 = TB_C(3.0) * (structure[3] + structure[4] + structure[5]);
+    const real_t t0 = TB_TENSION_MIN * (structure[3] + structure[4] + structure[5]);
     const real_t t1 = wrench[1] - t0;
-    const real_t t2 = TB_C(3.0) * (structure[1] + structure[0] + structure[2]);
+    const real_t t2 = TB_TENSION_MIN * (structure[1] + structure[0] + structure[2]);
     const real_t t3 = wrench[0] - t2;
     const real_t t4 = structure[1] * t1 - structure[4] * t3;
     const real_t t5 = structure[4] * structure[0] - structure[1] * structure[3];
@@ -269,13 +271,13 @@ tb_status tb_reduced_matrix_tension(const real_t structure[6], const real_t wren
         const real_t t38 = tb_max(t36 ? (t37 ? t8 : t20) : TB_C(0.0), TB_C(0.0));
         const real_t t39 = tb_max(t36 ? (t37 ? t10 : TB_C(0.0)) : t28, TB_C(0.0));
         const real_t t40 = tb_max(t36 ? (t37 ? TB_C(0.0) : t21) : t29, TB_C(0.0));
-        tension_0 = TB_C(3.0) + t38;
-        tension_1 = TB_C(3.0) + t39;
-        tension_2 = TB_C(3.0) + t40;
+        tension_0 = TB_TENSION_MIN + t38;
+        tension_1 = TB_TENSION_MIN + t39;
+        tension_2 = TB_TENSION_MIN + t40;
     } else {
-        tension_0 = TB_C(3.0);
-        tension_1 = TB_C(3.0);
-        tension_2 = TB_C(3.0);
+        tension_0 = TB_TENSION_MIN;
+        tension_1 = TB_TENSION_MIN;
+        tension_2 = TB_TENSION_MIN;
     }
     const bool t41 = !t33;
     tension[0] = tension_0;
@@ -437,7 +439,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[6], const real_
     if (t9) {
         return tb_refuse_largest_tension_begin(TB_SINGULAR, most, size);
     }
-    most[0] = TB_C(3.0);
+    most[0] = TB_TENSION_MIN;
     size[0] = force[0];
     return TB_OK;
 }
@@ -463,14 +465,14 @@ static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t n
         const real_t t9 = t7 + (t5 + t6);
         const real_t t10 = (t8 + t9) * TB_C(0.5);
         const real_t t11 = TB_C(0.5) * (t8 - t9);
-        const real_t t12 = size[0] + TB_C(3.0) * t11;
+        const real_t t12 = size[0] + TB_TENSION_MIN * t11;
         real_t t13;
         if (t1 < t10) {
             t13 = t12 / t10;
         } else {
             t13 = t1 < t12 ? TB_C(1e+30) : TB_C(0.0);
         }
-        const real_t t14 = size[0] + t10 * TB_C(3.0);
+        const real_t t14 = size[0] + t10 * TB_TENSION_MIN;
         real_t t15;
         if (t1 < t11) {
             t15 = t14 / t11;

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
 {
@@ -11,9 +12,9 @@ tb_status tb_motor_torques(const real_t tension[3], real_t torque[3])
         torque[2] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;
@@ -36,9 +37,9 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 /* Refuses with a status: load is 3 N. */
 static tb_status tb_refuse_load_tension(tb_status status, real_t load[3])
 {
-    load[0] = TB_C(3.0);
-    load[1] = TB_C(3.0);
-    load[2] = TB_C(3.0);
+    load[0] = TB_TENSION_MIN;
+    load[1] = TB_TENSION_MIN;
+    load[2] = TB_TENSION_MIN;
     return status;
 }
 
@@ -89,13 +90,13 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[6])
         target[5] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_C(0.7118));
+    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_FRAME);
     const real_t t0 = TB_C(0.7499999999999999) * pose[1];
     const real_t t1 = (pose[0] * -TB_C(0.43301270189221946) + t0) * TB_C(1.3333333333333333);
-    const real_t target_2 = tb_min(tb_max(t1, TB_C(0.0)), TB_C(0.7118));
-    const real_t t2 = TB_C(0.43301270189221946) * (pose[0] - TB_C(0.7118));
+    const real_t target_2 = tb_min(tb_max(t1, TB_C(0.0)), TB_FRAME);
+    const real_t t2 = TB_C(0.43301270189221946) * (pose[0] - TB_FRAME);
     const real_t t3 = tb_max(TB_C(1.3333333333333333) * (t0 + t2), TB_C(0.0));
-    const real_t target_4 = tb_min(t3, TB_C(0.7118));
+    const real_t target_4 = tb_min(t3, TB_FRAME);
     target[0] = target_0;
     target[1] = TB_C(0.0);
     target[2] = target_2;
@@ -109,51 +110,53 @@ tb_status tb_base_pid(const real_t memory[18], const real_t target[6], const rea
     real_t next_memory[18], real_t force[6])
 {
     const real_t t0 = target[0] - measured[0];
-    const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
-    const real_t next_memory_2 = memory[2] + TB_C(0.7153904566639707) * t1;
-    const real_t t2 = TB_C(11000.0) * t0 + memory[0] - TB_C(140.0) * next_memory_2;
-    const bool t3 = (TB_C(60.0) < t2 && TB_C(0.0) < t0) || (t2 < -TB_C(60.0) && t0 < TB_C(0.0));
-    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_C(30.0);
+    const real_t t1 = (measured[0] - memory[1]) * TB_CONTROL_RATE - memory[2];
+    const real_t next_memory_2 = memory[2] + TB_RAIL_SPEED_GAIN * t1;
+    const real_t t2 = TB_RAIL_STIFFNESS * t0 + memory[0] - TB_RAIL_DAMPING * next_memory_2;
+    const bool t3 = (TB_RAIL_FORCE_LIMIT < t2 && TB_C(0.0) < t0) || (t2 < -TB_RAIL_FORCE_LIMIT
+        && t0 < TB_C(0.0));
+    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_RAIL_INTEGRAL_STEP;
     const real_t t4 = target[1] - measured[1];
-    const real_t t5 = TB_C(1000.0) * (measured[1] - memory[4]) - memory[5];
-    const real_t next_memory_5 = memory[5] + TB_C(0.7153904566639707) * t5;
-    const real_t t6 = TB_C(11000.0) * t4 + memory[3] - TB_C(140.0) * next_memory_5;
-    const bool t7 = (TB_C(60.0) < t6 && TB_C(0.0) < t4) || (t6 < -TB_C(60.0) && t4 < TB_C(0.0));
-    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_C(30.0) * t4;
+    const real_t t5 = TB_CONTROL_RATE * (measured[1] - memory[4]) - memory[5];
+    const real_t next_memory_5 = memory[5] + TB_RAIL_SPEED_GAIN * t5;
+    const real_t t6 = TB_RAIL_STIFFNESS * t4 + memory[3] - TB_RAIL_DAMPING * next_memory_5;
+    const bool t7 = (TB_RAIL_FORCE_LIMIT < t6 && TB_C(0.0) < t4) || (t6 < -TB_RAIL_FORCE_LIMIT
+        && t4 < TB_C(0.0));
+    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_RAIL_INTEGRAL_STEP * t4;
     const real_t t8 = target[2] - measured[2];
-    const real_t t9 = TB_C(1000.0) * (measured[2] - memory[7]) - memory[8];
-    const real_t next_memory_8 = memory[8] + TB_C(0.7153904566639707) * t9;
-    const real_t t10 = TB_C(11000.0) * t8 + memory[6] - TB_C(140.0) * next_memory_8;
-    const bool t11 = (TB_C(60.0) < t10 && TB_C(0.0) < t8) || (t10 < -TB_C(60.0) && t8 <
-        TB_C(0.0));
-    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_C(30.0) * t8;
+    const real_t t9 = TB_CONTROL_RATE * (measured[2] - memory[7]) - memory[8];
+    const real_t next_memory_8 = memory[8] + TB_RAIL_SPEED_GAIN * t9;
+    const real_t t10 = TB_RAIL_STIFFNESS * t8 + memory[6] - TB_RAIL_DAMPING * next_memory_8;
+    const bool t11 = (TB_RAIL_FORCE_LIMIT < t10 && TB_C(0.0) < t8) || (t10 <
+        -TB_RAIL_FORCE_LIMIT && t8 < TB_C(0.0));
+    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_RAIL_INTEGRAL_STEP * t8;
     const real_t t12 = target[3] - measured[3];
-    const real_t t13 = TB_C(1000.0) * (measured[3] - memory[10]) - memory[11];
-    const real_t next_memory_11 = memory[11] + TB_C(0.7153904566639707) * t13;
-    const real_t t14 = TB_C(11000.0) * t12 + memory[9] - TB_C(140.0) * next_memory_11;
-    const bool t15 = (TB_C(60.0) < t14 && TB_C(0.0) < t12) || (t14 < -TB_C(60.0) && t12 <
-        TB_C(0.0));
-    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_C(30.0) * t12;
+    const real_t t13 = TB_CONTROL_RATE * (measured[3] - memory[10]) - memory[11];
+    const real_t next_memory_11 = memory[11] + TB_RAIL_SPEED_GAIN * t13;
+    const real_t t14 = TB_RAIL_STIFFNESS * t12 + memory[9] - TB_RAIL_DAMPING * next_memory_11;
+    const bool t15 = (TB_RAIL_FORCE_LIMIT < t14 && TB_C(0.0) < t12) || (t14 <
+        -TB_RAIL_FORCE_LIMIT && t12 < TB_C(0.0));
+    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_RAIL_INTEGRAL_STEP * t12;
     const real_t t16 = target[4] - measured[4];
-    const real_t t17 = TB_C(1000.0) * (measured[4] - memory[13]) - memory[14];
-    const real_t next_memory_14 = memory[14] + TB_C(0.7153904566639707) * t17;
-    const real_t t18 = TB_C(11000.0) * t16 + memory[12] - TB_C(140.0) * next_memory_14;
-    const bool t19 = (TB_C(60.0) < t18 && TB_C(0.0) < t16) || (t18 < -TB_C(60.0) && t16 <
-        TB_C(0.0));
-    const real_t next_memory_12 = t19 ? memory[12] : memory[12] + TB_C(30.0) * t16;
+    const real_t t17 = TB_CONTROL_RATE * (measured[4] - memory[13]) - memory[14];
+    const real_t next_memory_14 = memory[14] + TB_RAIL_SPEED_GAIN * t17;
+    const real_t t18 = TB_RAIL_STIFFNESS * t16 + memory[12] - TB_RAIL_DAMPING * next_memory_14;
+    const bool t19 = (TB_RAIL_FORCE_LIMIT < t18 && TB_C(0.0) < t16) || (t18 <
+        -TB_RAIL_FORCE_LIMIT && t16 < TB_C(0.0));
+    const real_t next_memory_12 = t19 ? memory[12] : memory[12] + TB_RAIL_INTEGRAL_STEP * t16;
     const real_t t20 = target[5] - measured[5];
-    const real_t t21 = TB_C(1000.0) * (measured[5] - memory[16]) - memory[17];
-    const real_t next_memory_17 = memory[17] + TB_C(0.7153904566639707) * t21;
-    const real_t t22 = TB_C(11000.0) * t20 + memory[15] - TB_C(140.0) * next_memory_17;
-    const bool t23 = (TB_C(60.0) < t22 && TB_C(0.0) < t20) || (t22 < -TB_C(60.0) && t20 <
-        TB_C(0.0));
-    const real_t next_memory_15 = t23 ? memory[15] : memory[15] + TB_C(30.0) * t20;
-    const real_t force_0 = tb_min(tb_max(t2, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_1 = tb_min(tb_max(t6, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_2 = tb_min(tb_max(t10, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_3 = tb_min(tb_max(t14, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_4 = tb_min(tb_max(t18, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_5 = tb_min(tb_max(t22, -TB_C(60.0)), TB_C(60.0));
+    const real_t t21 = TB_CONTROL_RATE * (measured[5] - memory[16]) - memory[17];
+    const real_t next_memory_17 = memory[17] + TB_RAIL_SPEED_GAIN * t21;
+    const real_t t22 = TB_RAIL_STIFFNESS * t20 + memory[15] - TB_RAIL_DAMPING * next_memory_17;
+    const bool t23 = (TB_RAIL_FORCE_LIMIT < t22 && TB_C(0.0) < t20) || (t22 <
+        -TB_RAIL_FORCE_LIMIT && t20 < TB_C(0.0));
+    const real_t next_memory_15 = t23 ? memory[15] : memory[15] + TB_RAIL_INTEGRAL_STEP * t20;
+    const real_t force_0 = tb_min(tb_max(t2, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_1 = tb_min(tb_max(t6, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_2 = tb_min(tb_max(t10, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_3 = tb_min(tb_max(t14, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_4 = tb_min(tb_max(t18, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_5 = tb_min(tb_max(t22, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
     const bool t24 = TB_ABS(t2) <= TB_C(1000000000.0) && TB_ABS(t6) <= TB_C(1000000000.0);
     const bool t25 = t24 && TB_ABS(t10) <= TB_C(1000000000.0) && TB_ABS(t14) <=
         TB_C(1000000000.0);

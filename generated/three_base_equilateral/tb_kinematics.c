@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[6], real_t points[6])
 {
@@ -15,8 +16,8 @@ tb_status tb_base_points(const real_t rails[6], real_t points[6])
         points[5] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t points_1 = TB_C(0.7118) - rails[1];
-    const real_t points_4 = TB_C(0.7118) - rails[5];
+    const real_t points_1 = TB_FRAME - rails[1];
+    const real_t points_4 = TB_FRAME - rails[5];
     points[0] = rails[0];
     points[1] = points_1;
     points[2] = rails[3];
@@ -40,10 +41,10 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[6], real_t v
         return TB_OUT_OF_DOMAIN;
     }
     const real_t vectors_0 = rails[0] - pose[0];
-    const real_t vectors_1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t vectors_1 = TB_FRAME - rails[1] - pose[1];
     const real_t vectors_2 = rails[3] - pose[0];
     const real_t vectors_3 = rails[2] - pose[1];
-    const real_t vectors_4 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t vectors_4 = TB_FRAME - rails[5] - pose[0];
     const real_t vectors_5 = rails[4] - pose[1];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
@@ -71,12 +72,12 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[6], real_t l
         return tb_refuse_cable_lengths(TB_OUT_OF_DOMAIN, length);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = rails[3] - pose[0];
     const real_t t3 = rails[2] - pose[1];
     const real_t length_1 = TB_SQRT(t2 * t2 + t3 * t3);
-    const real_t t4 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t4 = TB_FRAME - rails[5] - pose[0];
     const real_t t5 = rails[4] - pose[1];
     const real_t length_2 = TB_SQRT(t4 * t4 + t5 * t5);
     const bool t6 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
@@ -110,7 +111,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[6], real_
         return tb_refuse_structure_matrix(TB_OUT_OF_DOMAIN, structure);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -120,7 +121,7 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[6], real_
     const real_t length_1 = TB_SQRT(t3 * t3 + t4 * t4);
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t structure_1 = t3 * t5;
-    const real_t t6 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t6 = TB_FRAME - rails[5] - pose[0];
     const real_t t7 = rails[4] - pose[1];
     const real_t length_2 = TB_SQRT(t6 * t6 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -162,7 +163,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[6], real_t
         return tb_refuse_length_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -174,7 +175,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[6], real_t
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t3 * t5);
     const real_t jacobian_3 = -(t4 * t5);
-    const real_t t6 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t6 = TB_FRAME - rails[5] - pose[0];
     const real_t t7 = rails[4] - pose[1];
     const real_t length_2 = TB_SQRT(t6 * t6 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -216,7 +217,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6],
         return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -230,7 +231,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[6],
     const real_t t9 = t6 * t8;
     const real_t t10 = t7 * t8;
     const real_t t11 = length_rates[1] - t10 * rail_rates[2] - t9 * rail_rates[3];
-    const real_t t12 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t12 = TB_FRAME - rails[5] - pose[0];
     const real_t t13 = rails[4] - pose[1];
     const real_t length_2 = TB_SQRT(t12 * t12 + t13 * t13);
     const real_t t14 = TB_C(1.0) / length_2;
@@ -276,11 +277,11 @@ tb_status tb_forward_kinematics(const real_t lengths[3], const real_t rails[6], 
               TB_ABS(rails[4]) + TB_ABS(rails[5]) <= TB_C(8.541599999999999))) {
         return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
-    const real_t t0 = TB_C(0.7118) - rails[5];
+    const real_t t0 = TB_FRAME - rails[5];
     const real_t t1 = (rails[0] + rails[3] + t0) * TB_C(0.3333333333333333);
     const real_t t2 = rails[0] - t1;
     const real_t t3 = t2 * t2;
-    const real_t t4 = TB_C(0.7118) - rails[1];
+    const real_t t4 = TB_FRAME - rails[1];
     const real_t t5 = TB_C(0.3333333333333333) * (t4 + rails[2] + rails[4]);
     const real_t t6 = t4 - t5;
     const real_t t7 = t6 * t6;
@@ -402,11 +403,11 @@ tb_status tb_locate(const real_t lengths[3], const real_t rails[6],
               TB_C(600.0))) {
         return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
-    const real_t t0 = TB_C(0.7118) - rails[5];
+    const real_t t0 = TB_FRAME - rails[5];
     const real_t t1 = (rails[0] + rails[3] + t0) * TB_C(0.3333333333333333);
     const real_t t2 = rails[0] - t1;
     const real_t t3 = t2 * t2;
-    const real_t t4 = TB_C(0.7118) - rails[1];
+    const real_t t4 = TB_FRAME - rails[1];
     const real_t t5 = TB_C(0.3333333333333333) * (t4 + rails[2] + rails[4]);
     const real_t t6 = t4 - t5;
     const real_t t7 = t6 * t6;
@@ -562,7 +563,7 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[6], real_t j
         return tb_refuse_rail_jacobian(TB_OUT_OF_DOMAIN, jacobian);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -575,7 +576,7 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[6], real_t j
     const real_t jacobian_8 = t3 * t5;
     const real_t jacobian_9 = t4 * t5;
     const real_t t6 = rails[4] - pose[1];
-    const real_t t7 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t7 = TB_FRAME - rails[5] - pose[0];
     const real_t length_2 = TB_SQRT(t7 * t7 + t6 * t6);
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t jacobian_16 = t6 * t8;

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -29,5 +29,17 @@
 
 #define TB_HAS_OBSERVER 0
 #define TB_HAND_FORCE_MEASURED 0
+
+#define TB_TENSION_MIDDLE TB_C(6.5) /* N, middle of the bounds */
+#define TB_TENSION_HALF_RANGE TB_C(3.5) /* N, from the middle to a bound */
+
+#define TB_CONTROL_RATE TB_C(1000.0) /* Hz */
+
+#define TB_RAIL_STIFFNESS TB_C(11000.0) /* N/m */
+#define TB_RAIL_DAMPING TB_C(140.0) /* N s/m */
+#define TB_RAIL_INTEGRAL_STEP TB_C(30.0) /* N/m, of one cycle */
+#define TB_RAIL_SPEED_GAIN TB_C(0.7153904566639707) /* low-pass of a base's speed */
+
+#define TB_FRAME TB_C(0.7118) /* m, side of the frame */
 
 #endif

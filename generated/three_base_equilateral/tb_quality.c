@@ -1,14 +1,15 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[3])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
     return status;
 }
 
@@ -20,7 +21,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], re
         return tb_refuse_zero_wrench_tension(TB_OUT_OF_DOMAIN, tension);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -34,18 +35,18 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], re
     const real_t t9 = t5 * t6;
     const real_t t10 = TB_ABS(t3 * t7 - t8 * t9);
     const real_t t11 = rails[4] - pose[1];
-    const real_t t12 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t12 = TB_FRAME - rails[5] - pose[0];
     const real_t length_2 = TB_SQRT(t12 * t12 + t11 * t11);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t11 * t13;
     const real_t t15 = t12 * t13;
     const real_t t16 = TB_ABS(t3 * t14 - t8 * t15);
-    const real_t t17 = TB_C(6.5) * (t14 + (t7 + t8));
-    const real_t t18 = TB_C(6.5) * (t15 + (t3 + t9));
-    const real_t t19 = TB_C(3.5) * (t10 + t16) - TB_ABS(t3 * t17 - t8 * t18);
+    const real_t t17 = TB_TENSION_MIDDLE * (t14 + (t7 + t8));
+    const real_t t18 = TB_TENSION_MIDDLE * (t15 + (t3 + t9));
+    const real_t t19 = TB_TENSION_HALF_RANGE * (t10 + t16) - TB_ABS(t3 * t17 - t8 * t18);
     const real_t t20 = TB_ABS(t9 * t14 - t7 * t15);
-    const real_t t21 = TB_C(3.5) * (t10 + t20) - TB_ABS(t9 * t17 - t7 * t18);
-    const real_t t22 = TB_C(3.5) * (t16 + t20) - TB_ABS(t15 * t17 - t14 * t18);
+    const real_t t21 = TB_TENSION_HALF_RANGE * (t10 + t20) - TB_ABS(t9 * t17 - t7 * t18);
+    const real_t t22 = TB_TENSION_HALF_RANGE * (t16 + t20) - TB_ABS(t15 * t17 - t14 * t18);
     const bool t23 = TB_C(0.0) <= tb_min(tb_min(t19, t21), t22);
     const bool t24 = !t23;
     const real_t t25 = TB_SQRT(t3 * t3 + t9 * t9 + t15 * t15);
@@ -68,8 +69,8 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], re
     const real_t t42 = TB_ABS(t35);
     const real_t t43 = TB_C(1.0) / tb_min(t41, t42);
     const real_t t44 = TB_EPSILON * TB_C(30.0) * t43;
-    const real_t t45 = TB_C(3.0) - t44;
-    const real_t t46 = t44 + TB_C(10.0);
+    const real_t t45 = TB_TENSION_MIN - t44;
+    const real_t t46 = t44 + TB_TENSION_MAX;
     real_t t47, t48;
     if (t40) {
         t47 = -TB_C(1000000000000.0);
@@ -109,12 +110,12 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[6], re
     }
     const real_t t66 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t47, t54), t61)),
         tb_min(tb_min(t48, t55), t62));
-    const real_t t67 = tb_min(tb_max(-(t38 * t66), TB_C(3.0)), TB_C(10.0));
-    const real_t tension_0 = t23 ? t67 : TB_C(3.0);
-    const real_t t68 = tb_min(tb_max(-(t52 * t66), TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = t23 ? t68 : TB_C(3.0);
-    const real_t t69 = tb_min(tb_max(t59 * t66, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = t23 ? t69 : TB_C(3.0);
+    const real_t t67 = tb_min(tb_max(-(t38 * t66), TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_0 = t23 ? t67 : TB_TENSION_MIN;
+    const real_t t68 = tb_min(tb_max(-(t52 * t66), TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_1 = t23 ? t68 : TB_TENSION_MIN;
+    const real_t t69 = tb_min(tb_max(t59 * t66, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_2 = t23 ? t69 : TB_TENSION_MIN;
     const bool t70 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t71 = !(t70 && TB_C(0.0001) < length_2);
     const real_t t72 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
@@ -149,7 +150,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t 
         return tb_refuse_tension_factor(TB_OUT_OF_DOMAIN, factor);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -163,18 +164,18 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t 
     const real_t t9 = t5 * t6;
     const real_t t10 = TB_ABS(t3 * t7 - t8 * t9);
     const real_t t11 = rails[4] - pose[1];
-    const real_t t12 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t12 = TB_FRAME - rails[5] - pose[0];
     const real_t length_2 = TB_SQRT(t12 * t12 + t11 * t11);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t11 * t13;
     const real_t t15 = t12 * t13;
     const real_t t16 = TB_ABS(t3 * t14 - t8 * t15);
-    const real_t t17 = TB_C(6.5) * (t14 + (t7 + t8));
-    const real_t t18 = TB_C(6.5) * (t15 + (t3 + t9));
-    const real_t t19 = TB_C(3.5) * (t10 + t16) - TB_ABS(t3 * t17 - t8 * t18);
+    const real_t t17 = TB_TENSION_MIDDLE * (t14 + (t7 + t8));
+    const real_t t18 = TB_TENSION_MIDDLE * (t15 + (t3 + t9));
+    const real_t t19 = TB_TENSION_HALF_RANGE * (t10 + t16) - TB_ABS(t3 * t17 - t8 * t18);
     const real_t t20 = TB_ABS(t9 * t14 - t7 * t15);
-    const real_t t21 = TB_C(3.5) * (t10 + t20) - TB_ABS(t9 * t17 - t7 * t18);
-    const real_t t22 = TB_C(3.5) * (t16 + t20) - TB_ABS(t15 * t17 - t14 * t18);
+    const real_t t21 = TB_TENSION_HALF_RANGE * (t10 + t20) - TB_ABS(t9 * t17 - t7 * t18);
+    const real_t t22 = TB_TENSION_HALF_RANGE * (t16 + t20) - TB_ABS(t15 * t17 - t14 * t18);
     const bool t23 = TB_C(0.0) <= tb_min(tb_min(t19, t21), t22);
     const real_t t24 = TB_SQRT(t3 * t3 + t9 * t9 + t15 * t15);
     const real_t t25 = TB_COPYSIGN(t24, t3);
@@ -195,8 +196,8 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t 
     const real_t t40 = TB_ABS(t25);
     const real_t t41 = TB_ABS(t34);
     const real_t t42 = TB_EPSILON * TB_C(30.0) / tb_min(t40, t41);
-    const real_t t43 = TB_C(3.0) - t42;
-    const real_t t44 = t42 + TB_C(10.0);
+    const real_t t43 = TB_TENSION_MIN - t42;
+    const real_t t44 = t42 + TB_TENSION_MAX;
     real_t t45, t46;
     if (t39) {
         t45 = -TB_C(1000000000000.0);
@@ -237,9 +238,9 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t 
     const real_t t64 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t45, t52), t59)),
         tb_min(tb_min(t46, t53), t60));
     /* T0 */
-    const real_t rest_0 = tb_min(tb_max(-(t37 * t64), TB_C(3.0)), TB_C(10.0));
-    const real_t rest_1 = tb_min(tb_max(-(t50 * t64), TB_C(3.0)), TB_C(10.0));
-    const real_t rest_2 = tb_min(tb_max(t57 * t64, TB_C(3.0)), TB_C(10.0));
+    const real_t rest_0 = tb_min(tb_max(-(t37 * t64), TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_1 = tb_min(tb_max(-(t50 * t64), TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_2 = tb_min(tb_max(t57 * t64, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t65 = tb_max(tb_max(rest_0, rest_1), rest_2);
     real_t factor_0;
     if (t23) {
@@ -275,7 +276,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[6], real_t
         return tb_refuse_isotropic_force(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -289,18 +290,18 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[6], real_t
     const real_t t9 = t5 * t6;
     const real_t t10 = TB_ABS(t3 * t7 - t8 * t9);
     const real_t t11 = rails[4] - pose[1];
-    const real_t t12 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t12 = TB_FRAME - rails[5] - pose[0];
     const real_t length_2 = TB_SQRT(t12 * t12 + t11 * t11);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t11 * t13;
     const real_t t15 = t12 * t13;
     const real_t t16 = TB_ABS(t3 * t14 - t8 * t15);
-    const real_t t17 = TB_C(6.5) * (t14 + (t7 + t8));
-    const real_t t18 = TB_C(6.5) * (t15 + (t3 + t9));
-    const real_t t19 = TB_C(3.5) * (t10 + t16) - TB_ABS(t3 * t17 - t8 * t18);
+    const real_t t17 = TB_TENSION_MIDDLE * (t14 + (t7 + t8));
+    const real_t t18 = TB_TENSION_MIDDLE * (t15 + (t3 + t9));
+    const real_t t19 = TB_TENSION_HALF_RANGE * (t10 + t16) - TB_ABS(t3 * t17 - t8 * t18);
     const real_t t20 = TB_ABS(t9 * t14 - t7 * t15);
-    const real_t t21 = TB_C(3.5) * (t10 + t20) - TB_ABS(t9 * t17 - t7 * t18);
-    const real_t t22 = TB_C(3.5) * (t16 + t20) - TB_ABS(t15 * t17 - t14 * t18);
+    const real_t t21 = TB_TENSION_HALF_RANGE * (t10 + t20) - TB_ABS(t9 * t17 - t7 * t18);
+    const real_t t22 = TB_TENSION_HALF_RANGE * (t16 + t20) - TB_ABS(t15 * t17 - t14 * t18);
     const real_t t23 = tb_min(tb_min(t19, t21), t22);
     const real_t force_0 = tb_max(TB_C(0.0), t23);
     const bool t24 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
@@ -332,7 +333,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
         return tb_refuse_pose_quality(TB_OUT_OF_DOMAIN, margin, factor, force);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -347,23 +348,23 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
     const real_t t10 = t3 * t7 - t8 * t9;
     const real_t t11 = TB_ABS(t10);
     const real_t t12 = rails[4] - pose[1];
-    const real_t t13 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t13 = TB_FRAME - rails[5] - pose[0];
     const real_t length_2 = TB_SQRT(t13 * t13 + t12 * t12);
     const real_t t14 = TB_C(1.0) / length_2;
     const real_t t15 = t12 * t14;
     const real_t t16 = t13 * t14;
     const real_t t17 = t3 * t15 - t8 * t16;
     const real_t t18 = TB_ABS(t17);
-    const real_t t19 = TB_C(6.5) * (t15 + (t7 + t8));
-    const real_t t20 = TB_C(6.5) * (t16 + (t3 + t9));
+    const real_t t19 = TB_TENSION_MIDDLE * (t15 + (t7 + t8));
+    const real_t t20 = TB_TENSION_MIDDLE * (t16 + (t3 + t9));
     const real_t t21 = t3 * t19 - t8 * t20;
     const real_t t22 = t9 * t15 - t7 * t16;
     const real_t t23 = TB_ABS(t22);
     const real_t t24 = t9 * t19 - t7 * t20;
-    const real_t t25 = tb_min(TB_C(3.5) * (t11 + t18) - TB_ABS(t21), TB_C(3.5) * (t11 + t23) -
-        TB_ABS(t24));
+    const real_t t25 = tb_min(TB_TENSION_HALF_RANGE * (t11 + t18) - TB_ABS(t21),
+        TB_TENSION_HALF_RANGE * (t11 + t23) - TB_ABS(t24));
     const real_t t26 = t16 * t19 - t15 * t20;
-    const real_t margin_0 = tb_min(t25, TB_C(3.5) * (t18 + t23) - TB_ABS(t26));
+    const real_t margin_0 = tb_min(t25, TB_TENSION_HALF_RANGE * (t18 + t23) - TB_ABS(t26));
     const bool t27 = TB_C(0.0) <= margin_0;
     real_t factor_0, t28;
     if (t27) {
@@ -398,9 +399,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
             const real_t t54 = t52 ? t16 : (t53 ? t9 : t3);
             const real_t t55 = t52 ? t15 : (t53 ? t7 : t8);
             const real_t t56 = TB_C(1.0) / (t48 * t54 - t47 * t55);
-            const real_t t57 = TB_C(3.0) + t49 * t56;
+            const real_t t57 = TB_TENSION_MIN + t49 * t56;
             const real_t t58 = TB_C(0.46153846153846156) * (t19 * t54 - t20 * t55);
-            const real_t t59 = TB_C(3.0) - t56 * t58;
+            const real_t t59 = TB_TENSION_MIN - t56 * t58;
             const real_t t60 = t56 * (t48 * t57 - t55 * t59);
             const real_t t61 = t56 * (t54 * t59 - t47 * t57);
             t32 = t3 * t60;
@@ -413,11 +414,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
             t39 = t61;
         }
         const real_t t62 = t32 + t33;
-        const real_t t63 = tb_min(tb_max(t62, TB_C(3.0)), TB_C(10.0));
+        const real_t t63 = tb_min(tb_max(t62, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t64 = t34 + t35;
-        const real_t t65 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
+        const real_t t65 = tb_min(tb_max(t64, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t66 = t36 + t37;
-        const real_t t67 = tb_min(tb_max(t66, TB_C(3.0)), TB_C(10.0));
+        const real_t t67 = tb_min(tb_max(t66, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t68 = t3 * t63 + t9 * t65 + t16 * t67;
         const real_t t69 = t8 * t63 + t7 * t65 + t15 * t67;
         const bool t70 = tb_max(TB_ABS(t68), TB_ABS(t69)) - t30 <= TB_C(0.0);
@@ -427,12 +428,12 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
             t71 = t73;
             t72 = TB_C(0.0);
         } else {
-            const bool t74 = TB_C(3.0) < t62 && t62 < TB_C(10.0);
+            const bool t74 = TB_TENSION_MIN < t62 && t62 < TB_TENSION_MAX;
             const real_t t75 = t3 * t3;
-            const bool t76 = TB_C(3.0) < t64 && t64 < TB_C(10.0);
+            const bool t76 = TB_TENSION_MIN < t64 && t64 < TB_TENSION_MAX;
             const real_t t77 = t9 * t9;
             const real_t t78 = (t74 ? t75 : TB_C(0.0)) + (t76 ? t77 : TB_C(0.0));
-            const bool t79 = TB_C(3.0) < t66 && t66 < TB_C(10.0);
+            const bool t79 = TB_TENSION_MIN < t66 && t66 < TB_TENSION_MAX;
             const real_t t80 = t16 * t16;
             const real_t t81 = t78 + (t79 ? t80 : TB_C(0.0));
             const real_t t82 = TB_C(1.0) / t81;
@@ -445,9 +446,12 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
             const real_t t89 = (t69 - t68 * t86) / t88;
             const real_t t90 = t38 - (t68 * t82 - t86 * t89);
             const real_t t91 = t39 - t89;
-            const real_t t92 = tb_min(tb_max(t3 * t90 + t8 * t91, TB_C(3.0)), TB_C(10.0));
-            const real_t t93 = tb_min(tb_max(t9 * t90 + t7 * t91, TB_C(3.0)), TB_C(10.0));
-            const real_t t94 = tb_min(tb_max(t16 * t90 + t15 * t91, TB_C(3.0)), TB_C(10.0));
+            const real_t t92 = tb_min(tb_max(t3 * t90 + t8 * t91, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t93 = tb_min(tb_max(t9 * t90 + t7 * t91, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t94 = tb_min(tb_max(t16 * t90 + t15 * t91, TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t95 = tb_max(TB_ABS(t3 * t92 + t9 * t93 + t16 * t94), TB_ABS(t8 * t92
                 + t7 * t93 + t15 * t94));
             const bool t96 = t95 - t30 <= TB_C(0.0);
@@ -476,8 +480,8 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
                 const bool t115 = TB_ABS(t113) <= t114;
                 const real_t t116 = TB_C(1.0) / tb_min(TB_ABS(t101), TB_ABS(t110));
                 const real_t t117 = TB_EPSILON * TB_C(30.0) * t116;
-                const real_t t118 = TB_C(3.0) - t117;
-                const real_t t119 = TB_C(10.0) + t117;
+                const real_t t118 = TB_TENSION_MIN - t117;
+                const real_t t119 = TB_TENSION_MAX + t117;
                 real_t t120, t121;
                 if (t115) {
                     t120 = -TB_C(1000000000000.0);
@@ -517,9 +521,11 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[6], real_t ma
                 }
                 const real_t t139 = tb_max(TB_C(0.0), tb_max(tb_max(t120, t127), t134));
                 const real_t t140 = tb_min(t139, tb_min(tb_min(t121, t128), t135));
-                const real_t t141 = tb_min(tb_max(-(t113 * t140), TB_C(3.0)), TB_C(10.0));
-                const real_t t142 = tb_min(tb_max(-(t125 * t140), TB_C(3.0)), TB_C(10.0));
-                const real_t t143 = tb_min(tb_max(t132 * t140, TB_C(3.0)), TB_C(10.0));
+                const real_t t141 = tb_min(tb_max(-(t113 * t140), TB_TENSION_MIN),
+                    TB_TENSION_MAX);
+                const real_t t142 = tb_min(tb_max(-(t125 * t140), TB_TENSION_MIN),
+                    TB_TENSION_MAX);
+                const real_t t143 = tb_min(tb_max(t132 * t140, TB_TENSION_MIN), TB_TENSION_MAX);
                 const real_t t144 = tb_min(tb_min(t141, t142), t143) / tb_max(tb_max(t141,
                     t142), t143);
                 const real_t t145 = tb_max(TB_C(0.0), TB_ABS(t3 * t141 + t9 * t142 + t16 *
@@ -572,7 +578,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], r
         return tb_refuse_isotropic_force_eq17(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
     const real_t length_0 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t2 = TB_C(1.0) / length_0;
@@ -589,7 +595,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], r
     const real_t t12 = t8 - t11;
     const real_t t13 = TB_ABS(t12);
     const real_t t14 = rails[4] - pose[1];
-    const real_t t15 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t15 = TB_FRAME - rails[5] - pose[0];
     const real_t length_2 = TB_SQRT(t15 * t15 + t14 * t14);
     const real_t t16 = TB_C(1.0) / length_2;
     const real_t t17 = t14 * t16;
@@ -598,15 +604,15 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], r
     const real_t t20 = t9 * t19;
     const real_t t21 = t18 - t20;
     const real_t t22 = TB_ABS(t21);
-    const real_t t23 = TB_C(6.5) * (t17 + (t7 + t9));
-    const real_t t24 = TB_C(6.5) * (t19 + (t3 + t10));
-    const real_t t25 = TB_C(3.5) * (t13 + t22) - TB_ABS(t3 * t23 - t9 * t24);
+    const real_t t23 = TB_TENSION_MIDDLE * (t17 + (t7 + t9));
+    const real_t t24 = TB_TENSION_MIDDLE * (t19 + (t3 + t10));
+    const real_t t25 = TB_TENSION_HALF_RANGE * (t13 + t22) - TB_ABS(t3 * t23 - t9 * t24);
     const real_t t26 = t10 * t17;
     const real_t t27 = t7 * t19;
     const real_t t28 = t26 - t27;
     const real_t t29 = TB_ABS(t28);
-    const real_t t30 = TB_C(3.5) * (t13 + t29) - TB_ABS(t10 * t23 - t7 * t24);
-    const real_t t31 = TB_C(3.5) * (t22 + t29) - TB_ABS(t19 * t23 - t17 * t24);
+    const real_t t30 = TB_TENSION_HALF_RANGE * (t13 + t29) - TB_ABS(t10 * t23 - t7 * t24);
+    const real_t t31 = TB_TENSION_HALF_RANGE * (t22 + t29) - TB_ABS(t19 * t23 - t17 * t24);
     const bool t32 = TB_C(0.0) <= tb_min(tb_min(t25, t30), t31);
     const real_t t33 = TB_SQRT(t3 * t3 + t10 * t10 + t19 * t19);
     const real_t t34 = TB_COPYSIGN(t33, t3);
@@ -635,8 +641,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], r
         const real_t t55 = TB_C(16.0) * TB_EPSILON;
         const bool t56 = TB_ABS(t54) <= t55;
         const real_t t57 = TB_EPSILON * TB_C(30.0) / tb_min(t42, t43);
-        const real_t t58 = TB_C(3.0) - t57;
-        const real_t t59 = TB_C(10.0) + t57;
+        const real_t t58 = TB_TENSION_MIN - t57;
+        const real_t t59 = TB_TENSION_MAX + t57;
         real_t t60, t61;
         if (t56) {
             t60 = -TB_C(1000000000000.0);
@@ -676,16 +682,17 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[6], r
         }
         const real_t t79 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t60, t67), t74)),
             tb_min(tb_min(t61, t68), t75));
-        const real_t t80 = tb_min(tb_max(-(t54 * t79), TB_C(3.0)), TB_C(10.0));
+        const real_t t80 = tb_min(tb_max(-(t54 * t79), TB_TENSION_MIN), TB_TENSION_MAX);
         /* t_i = T_max - T0_i */
-        const real_t margin_0 = TB_C(10.0) - t80;
-        const real_t t81 = tb_min(tb_max(-(t65 * t79), TB_C(3.0)), TB_C(10.0));
-        const real_t margin_1 = TB_C(10.0) - t81;
+        const real_t margin_0 = TB_TENSION_MAX - t80;
+        const real_t t81 = tb_min(tb_max(-(t65 * t79), TB_TENSION_MIN), TB_TENSION_MAX);
+        const real_t margin_1 = TB_TENSION_MAX - t81;
         const real_t t82 = tb_min(margin_0, margin_1);
         const bool t83 = t3 * t19 + t9 * t17 < TB_C(0.0);
         const bool t84 = TB_C(0.0) < t28;
         const bool t85 = (t46 || (TB_C(0.0) <= t21 && t83)) && !(t44 && t84);
-        const real_t margin_2 = TB_C(10.0) - tb_min(tb_max(t72 * t79, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_2 = TB_TENSION_MAX - tb_min(tb_max(t72 * t79, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t86 = tb_min(margin_0, margin_2);
         const real_t t87 = tb_min(t49 ? (t45 ? t12 * t82 : t82) : TB_C(1e+30), t85 ? (t83 ? t21
             * t86 : t86) : TB_C(1e+30));

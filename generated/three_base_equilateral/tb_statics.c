@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[6], const real_t tension[3], real_t wrench[2])
 {
@@ -41,12 +42,12 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[6],
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
-    const real_t t2 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t2 = TB_FRAME - rails[1] - pose[1];
     const real_t t3 = t2 * t2;
     const real_t t4 = TB_SQRT(t1 + t3);
     const real_t t5 = rails[3] - pose[0];
     const real_t t6 = t5 * t5;
-    const real_t t7 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t7 = TB_FRAME - rails[5] - pose[0];
     const real_t t8 = t7 * t7;
     const real_t t9 = t1 + t6 + t8;
     const real_t t10 = TB_C(1.0) / t9;
@@ -109,7 +110,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[6], const real
         return tb_refuse_rail_forces(TB_OUT_OF_DOMAIN, force);
     }
     const real_t t0 = rails[0] - pose[0];
-    const real_t t1 = TB_C(0.7118) - rails[1] - pose[1];
+    const real_t t1 = TB_FRAME - rails[1] - pose[1];
     const real_t t2 = TB_SQRT(t0 * t0 + t1 * t1);
     const real_t t3 = TB_C(1.0) / t2;
     const real_t force_0 = -(tension[0] * (t0 * t3));
@@ -121,7 +122,7 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[6], const real
     const real_t force_2 = -(tension[1] * (t4 * t7));
     const real_t force_3 = -(tension[1] * (t5 * t7));
     const real_t t8 = rails[4] - pose[1];
-    const real_t t9 = TB_C(0.7118) - rails[5] - pose[0];
+    const real_t t9 = TB_FRAME - rails[5] - pose[0];
     const real_t t10 = TB_SQRT(t9 * t9 + t8 * t8);
     const real_t t11 = TB_C(1.0) / t10;
     const real_t force_4 = -(tension[2] * (t8 * t11));

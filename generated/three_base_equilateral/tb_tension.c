@@ -1,15 +1,16 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N; delivered is 0 N; kkt_residual is 0 N. */
 static tb_status tb_refuse_least_norm_tension(tb_status status, real_t tension[3],
     real_t delivered[2], real_t kkt_residual[1])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
     delivered[0] = TB_C(0.0);
     delivered[1] = TB_C(0.0);
     kkt_residual[0] = TB_C(0.0);
@@ -63,8 +64,8 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
         t33 = TB_C(1000000000000.0);
     } else {
         const real_t t34 = TB_C(1.0) / t25;
-        const real_t t35 = -((t20 + TB_C(3.0) - t31) * t34);
-        const real_t t36 = -(t34 * (t31 + (t20 + TB_C(10.0))));
+        const real_t t35 = -((t20 + TB_TENSION_MIN - t31) * t34);
+        const real_t t36 = -(t34 * (t31 + (t20 + TB_TENSION_MAX)));
         t32 = tb_min(t35, t36);
         t33 = tb_max(t35, t36);
     }
@@ -78,8 +79,8 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
         t40 = TB_C(1000000000000.0);
     } else {
         const real_t t41 = TB_C(1.0) / t37;
-        const real_t t42 = -((TB_C(3.0) - start_1 - t31) * t41);
-        const real_t t43 = -(t41 * (t31 + (TB_C(10.0) - start_1)));
+        const real_t t42 = -((TB_TENSION_MIN - start_1 - t31) * t41);
+        const real_t t43 = -(t41 * (t31 + (TB_TENSION_MAX - start_1)));
         t39 = tb_min(t42, t43);
         t40 = tb_max(t42, t43);
     }
@@ -92,16 +93,18 @@ tb_status tb_least_norm_tension(const real_t structure[6], const real_t wrench[2
         t47 = TB_C(1000000000000.0);
     } else {
         const real_t t48 = TB_C(1.0) / t44;
-        const real_t t49 = (TB_C(3.0) - start_2 - t31) * t48;
-        const real_t t50 = t48 * (t31 + (TB_C(10.0) - start_2));
+        const real_t t49 = (TB_TENSION_MIN - start_2 - t31) * t48;
+        const real_t t50 = t48 * (t31 + (TB_TENSION_MAX - start_2));
         t46 = tb_min(t49, t50);
         t47 = tb_max(t49, t50);
     }
     const real_t t51 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t32, t39), t46)),
         tb_min(tb_min(t33, t40), t47));
-    const real_t tension_0 = tb_min(tb_max(-(t20 + t25 * t51), TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 - t37 * t51, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t44 * t51, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_0 = tb_min(tb_max(-(t20 + t25 * t51), TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_1 = tb_min(tb_max(start_1 - t37 * t51, TB_TENSION_MIN),
+        TB_TENSION_MAX);
+    const real_t tension_2 = tb_min(tb_max(start_2 + t44 * t51, TB_TENSION_MIN),
+        TB_TENSION_MAX);
     const real_t t52 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t52 + structure[2] * tension_2;
@@ -140,9 +143,9 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
         inner[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t t0 = TB_C(6.5) * (structure[3] + structure[4] + structure[5]);
+    const real_t t0 = TB_TENSION_MIDDLE * (structure[3] + structure[4] + structure[5]);
     const real_t t1 = wrench[1] - t0;
-    const real_t t2 = TB_C(6.5) * (structure[0] + structure[1] + structure[2]);
+    const real_t t2 = TB_TENSION_MIDDLE * (structure[0] + structure[1] + structure[2]);
     const real_t t3 = wrench[0] - t2;
     const real_t t4 = structure[0] * t1 - structure[3] * t3;
     const real_t t5 = TB_ABS(t4);
@@ -155,17 +158,17 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
     const real_t t12 = t10 - t11;
     const real_t t13 = TB_ABS(t12);
     /* facets of the feasible wrenches, half distances */
-    const real_t facet_0 = TB_C(3.5) * (t9 + t13);
+    const real_t facet_0 = TB_TENSION_HALF_RANGE * (t9 + t13);
     const real_t t14 = t1 * structure[1] - structure[4] * t3;
     const real_t t15 = TB_ABS(t14);
     const real_t t16 = structure[5] * structure[1];
     const real_t t17 = structure[4] * structure[2];
     const real_t t18 = t16 - t17;
     const real_t t19 = TB_ABS(t18);
-    const real_t facet_1 = TB_C(3.5) * (t9 + t19);
+    const real_t facet_1 = TB_TENSION_HALF_RANGE * (t9 + t19);
     const real_t t20 = t1 * structure[2] - structure[5] * t3;
     const real_t t21 = TB_ABS(t20);
-    const real_t facet_2 = TB_C(3.5) * (t13 + t19);
+    const real_t facet_2 = TB_TENSION_HALF_RANGE * (t13 + t19);
     const bool t22 = t5 <= facet_0 && t15 <= facet_1 && t21 <= facet_2;
     const bool t23 = !t22;
     real_t served_0, served_1;
@@ -237,19 +240,20 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
             const bool t63 = !t60;
             const bool t64 = (t60 && !t62) || (t63 && TB_C(0.0) < t11 - t10);
             const bool t65 = !t58;
-            const real_t t66 = (t58 && t64) || (t65 && !t64) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t66 = (t58 && t64) || (t65 && !t64) ? TB_TENSION_MAX : TB_TENSION_MIN;
             const bool t67 = t19 <= t59;
             const real_t t68 = structure[1] * structure[2] + structure[4] * structure[5];
             const bool t69 = TB_C(0.0) < t68;
             const bool t70 = !t67;
             const bool t71 = (t67 && !t69) || (t70 && TB_C(0.0) < t17 - t16);
-            const real_t t72 = (t58 && t71) || (t65 && !t71) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t72 = (t58 && t71) || (t65 && !t71) ? TB_TENSION_MAX : TB_TENSION_MIN;
             const real_t t73 = structure[0] * t66 + structure[1] * t72;
             const real_t t74 = structure[3] * t66 + structure[4] * t72;
             const real_t t75 = structure[2] * (wrench[0] - t73) + structure[5] * (wrench[1] -
                 t74);
             const real_t t76 = structure[2] * structure[2] + structure[5] * structure[5];
-            const real_t t77 = tb_min(tb_max(t75 * (TB_C(1.0) / t76), TB_C(3.0)), TB_C(10.0));
+            const real_t t77 = tb_min(tb_max(t75 * (TB_C(1.0) / t76), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t78 = t73 + structure[2] * t77;
             const real_t t79 = t78 - wrench[0];
             const real_t t80 = t74 + structure[5] * t77;
@@ -262,15 +266,16 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
             const bool t87 = !t84;
             const bool t88 = (t84 && !t86) || (t87 && TB_C(0.0) < t7 - t6);
             const bool t89 = !t83;
-            const real_t t90 = (t83 && t88) || (t89 && !t88) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t90 = (t83 && t88) || (t89 && !t88) ? TB_TENSION_MAX : TB_TENSION_MIN;
             const bool t91 = (t67 && t69) || (t70 && TB_C(0.0) < t18);
-            const real_t t92 = (t83 && t91) || (t89 && !t91) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t92 = (t83 && t91) || (t89 && !t91) ? TB_TENSION_MAX : TB_TENSION_MIN;
             const real_t t93 = structure[0] * t90 + structure[2] * t92;
             const real_t t94 = structure[3] * t90 + structure[5] * t92;
             const real_t t95 = structure[1] * (wrench[0] - t93) + structure[4] * (wrench[1] -
                 t94);
             const real_t t96 = structure[1] * structure[1] + structure[4] * structure[4];
-            const real_t t97 = tb_min(tb_max(t95 * (TB_C(1.0) / t96), TB_C(3.0)), TB_C(10.0));
+            const real_t t97 = tb_min(tb_max(t95 * (TB_C(1.0) / t96), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t98 = t93 + structure[1] * t97;
             const real_t t99 = t98 - wrench[0];
             const real_t t100 = t94 + structure[4] * t97;
@@ -279,16 +284,18 @@ tb_status tb_served_wrench_scale(const real_t structure[6], const real_t wrench[
             const bool t103 = TB_C(0.0) < t4;
             const bool t104 = (t84 && t86) || (t87 && TB_C(0.0) < t8);
             const bool t105 = !t103;
-            const real_t t106 = (t103 && t104) || (t105 && !t104) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t106 = (t103 && t104) || (t105 && !t104) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t107 = (t60 && t62) || (t63 && TB_C(0.0) < t12);
-            const real_t t108 = (t103 && t107) || (t105 && !t107) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t108 = (t103 && t107) || (t105 && !t107) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const real_t t109 = structure[1] * t106 + structure[2] * t108;
             const real_t t110 = structure[4] * t106 + structure[5] * t108;
             const real_t t111 = structure[0] * (wrench[0] - t109) + structure[3] * (wrench[1] -
                 t110);
             const real_t t112 = structure[0] * structure[0] + structure[3] * structure[3];
-            const real_t t113 = tb_min(tb_max(t111 * (TB_C(1.0) / t112), TB_C(3.0)),
-                TB_C(10.0));
+            const real_t t113 = tb_min(tb_max(t111 * (TB_C(1.0) / t112), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t114 = t109 + structure[0] * t113;
             const real_t t115 = t114 - wrench[0];
             const real_t t116 = t110 + structure[3] * t113;
@@ -339,9 +346,9 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         inner[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t t0 = TB_C(6.5) * (structure[3] + structure[4] + structure[5]);
+    const real_t t0 = TB_TENSION_MIDDLE * (structure[3] + structure[4] + structure[5]);
     const real_t t1 = wrench[1] - t0;
-    const real_t t2 = TB_C(6.5) * (structure[0] + structure[1] + structure[2]);
+    const real_t t2 = TB_TENSION_MIDDLE * (structure[0] + structure[1] + structure[2]);
     const real_t t3 = wrench[0] - t2;
     const real_t t4 = structure[0] * t1 - structure[3] * t3;
     const real_t t5 = TB_ABS(t4);
@@ -354,17 +361,17 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
     const real_t t12 = t10 - t11;
     const real_t t13 = TB_ABS(t12);
     /* facets of the feasible wrenches, half distances */
-    const real_t facet_0 = TB_C(3.5) * (t9 + t13);
+    const real_t facet_0 = TB_TENSION_HALF_RANGE * (t9 + t13);
     const real_t t14 = t1 * structure[1] - structure[4] * t3;
     const real_t t15 = TB_ABS(t14);
     const real_t t16 = structure[5] * structure[1];
     const real_t t17 = structure[4] * structure[2];
     const real_t t18 = t16 - t17;
     const real_t t19 = TB_ABS(t18);
-    const real_t facet_1 = TB_C(3.5) * (t9 + t19);
+    const real_t facet_1 = TB_TENSION_HALF_RANGE * (t9 + t19);
     const real_t t20 = t1 * structure[2] - structure[5] * t3;
     const real_t t21 = TB_ABS(t20);
-    const real_t facet_2 = TB_C(3.5) * (t13 + t19);
+    const real_t facet_2 = TB_TENSION_HALF_RANGE * (t13 + t19);
     const bool t22 = t5 <= facet_0 && t15 <= facet_1 && t21 <= facet_2;
     const bool t23 = !t22;
     real_t served_0, served_1;
@@ -380,18 +387,19 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         const bool t29 = !t26;
         const bool t30 = (t26 && !t28) || (t29 && TB_C(0.0) < t11 - t10);
         const bool t31 = !t24;
-        const real_t t32 = (t24 && t30) || (t31 && !t30) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t32 = (t24 && t30) || (t31 && !t30) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t33 = t19 <= t25;
         const real_t t34 = structure[1] * structure[2] + structure[4] * structure[5];
         const bool t35 = TB_C(0.0) < t34;
         const bool t36 = !t33;
         const bool t37 = (t33 && !t35) || (t36 && TB_C(0.0) < t17 - t16);
-        const real_t t38 = (t24 && t37) || (t31 && !t37) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t38 = (t24 && t37) || (t31 && !t37) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t39 = structure[0] * t32 + structure[1] * t38;
         const real_t t40 = structure[3] * t32 + structure[4] * t38;
         const real_t t41 = structure[2] * (wrench[0] - t39) + structure[5] * (wrench[1] - t40);
         const real_t t42 = structure[2] * structure[2] + structure[5] * structure[5];
-        const real_t t43 = tb_min(tb_max(t41 * (TB_C(1.0) / t42), TB_C(3.0)), TB_C(10.0));
+        const real_t t43 = tb_min(tb_max(t41 * (TB_C(1.0) / t42), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t44 = t39 + structure[2] * t43;
         const real_t t45 = t44 - wrench[0];
         const real_t t46 = t40 + structure[5] * t43;
@@ -404,14 +412,15 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         const bool t53 = !t50;
         const bool t54 = (t50 && !t52) || (t53 && TB_C(0.0) < t7 - t6);
         const bool t55 = !t49;
-        const real_t t56 = (t49 && t54) || (t55 && !t54) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t56 = (t49 && t54) || (t55 && !t54) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t57 = (t33 && t35) || (t36 && TB_C(0.0) < t18);
-        const real_t t58 = (t49 && t57) || (t55 && !t57) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t58 = (t49 && t57) || (t55 && !t57) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t59 = structure[0] * t56 + structure[2] * t58;
         const real_t t60 = structure[3] * t56 + structure[5] * t58;
         const real_t t61 = structure[1] * (wrench[0] - t59) + structure[4] * (wrench[1] - t60);
         const real_t t62 = structure[1] * structure[1] + structure[4] * structure[4];
-        const real_t t63 = tb_min(tb_max(t61 * (TB_C(1.0) / t62), TB_C(3.0)), TB_C(10.0));
+        const real_t t63 = tb_min(tb_max(t61 * (TB_C(1.0) / t62), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t64 = t59 + structure[1] * t63;
         const real_t t65 = t64 - wrench[0];
         const real_t t66 = t60 + structure[4] * t63;
@@ -420,14 +429,15 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
         const bool t69 = TB_C(0.0) < t4;
         const bool t70 = (t50 && t52) || (t53 && TB_C(0.0) < t8);
         const bool t71 = !t69;
-        const real_t t72 = (t69 && t70) || (t71 && !t70) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t72 = (t69 && t70) || (t71 && !t70) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t73 = (t26 && t28) || (t29 && TB_C(0.0) < t12);
-        const real_t t74 = (t69 && t73) || (t71 && !t73) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t74 = (t69 && t73) || (t71 && !t73) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t75 = structure[1] * t72 + structure[2] * t74;
         const real_t t76 = structure[4] * t72 + structure[5] * t74;
         const real_t t77 = structure[0] * (wrench[0] - t75) + structure[3] * (wrench[1] - t76);
         const real_t t78 = structure[0] * structure[0] + structure[3] * structure[3];
-        const real_t t79 = tb_min(tb_max(t77 * (TB_C(1.0) / t78), TB_C(3.0)), TB_C(10.0));
+        const real_t t79 = tb_min(tb_max(t77 * (TB_C(1.0) / t78), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t80 = t75 + structure[0] * t79;
         const real_t t81 = t80 - wrench[0];
         const real_t t82 = t76 + structure[3] * t79;
@@ -462,9 +472,9 @@ tb_status tb_served_wrench_closest(const real_t structure[6], const real_t wrenc
 static tb_status tb_refuse_distribute_tension_paper(tb_status status, real_t tension[3],
     real_t delivered[2], real_t kkt_residual[1])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
     delivered[0] = TB_C(0.0);
     delivered[1] = TB_C(0.0);
     kkt_residual[0] = TB_C(0.0);
@@ -508,7 +518,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     const real_t t25 = t4 * t24;
     const real_t t26 = TB_C(16.0) * TB_EPSILON;
     const bool t27 = TB_ABS(t25) <= t26;
-    const real_t t28 = TB_C(3.0) + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
+    const real_t t28 = TB_TENSION_MIN + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
     const real_t t29 = TB_ABS(t2);
     const real_t t30 = TB_ABS(t11);
     const real_t t31 = TB_C(1.0) / tb_min(t29, t30);
@@ -519,7 +529,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
         t34 = TB_C(1000000000000.0);
     } else {
         const real_t t35 = TB_C(1.0) / t25;
-        const real_t t36 = -((t20 + TB_C(3.0) - t32) * t35);
+        const real_t t36 = -((t20 + TB_TENSION_MIN - t32) * t35);
         const real_t t37 = -(t35 * (t32 + (t20 + TB_C(1000000000000.0))));
         t33 = tb_min(t36, t37);
         t34 = tb_max(t36, t37);
@@ -534,7 +544,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
         t41 = TB_C(1000000000000.0);
     } else {
         const real_t t42 = TB_C(1.0) / t38;
-        const real_t t43 = -((TB_C(3.0) - start_1 - t32) * t42);
+        const real_t t43 = -((TB_TENSION_MIN - start_1 - t32) * t42);
         const real_t t44 = -(t42 * (t32 + (TB_C(1000000000000.0) - start_1)));
         t40 = tb_min(t43, t44);
         t41 = tb_max(t43, t44);
@@ -548,16 +558,19 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
         t48 = TB_C(1000000000000.0);
     } else {
         const real_t t49 = TB_C(1.0) / t45;
-        const real_t t50 = (TB_C(3.0) - start_2 - t32) * t49;
+        const real_t t50 = (TB_TENSION_MIN - start_2 - t32) * t49;
         const real_t t51 = t49 * (t32 + (TB_C(1000000000000.0) - start_2));
         t47 = tb_min(t50, t51);
         t48 = tb_max(t50, t51);
     }
     const real_t t52 = tb_min(tb_max(TB_C(0.0), tb_max(tb_max(t33, t40), t47)),
         tb_min(tb_min(t34, t41), t48));
-    const real_t t53 = tb_min(tb_max(-(t20 + t25 * t52), TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t54 = tb_min(tb_max(start_1 - t38 * t52, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t55 = tb_min(tb_max(start_2 + t45 * t52, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t53 = tb_min(tb_max(-(t20 + t25 * t52), TB_TENSION_MIN),
+        TB_C(1000000000000.0));
+    const real_t t54 = tb_min(tb_max(start_1 - t38 * t52, TB_TENSION_MIN),
+        TB_C(1000000000000.0));
+    const real_t t55 = tb_min(tb_max(start_2 + t45 * t52, TB_TENSION_MIN),
+        TB_C(1000000000000.0));
     const real_t t56 = structure[0] * t53 + structure[1] * t54 + structure[2] * t55;
     const real_t t57 = structure[3] * t53 + structure[4] * t54 + structure[5] * t55;
     const real_t t58 = tb_max(tb_max(TB_C(0.0), TB_ABS(t56 - wrench[0])), TB_ABS(t57 -
@@ -565,9 +578,9 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     const real_t t59 = TB_EPSILON * TB_C(128.0) * tb_max(tb_max(t53, t54), t55);
     const bool t60 = t58 <= tb_min(t31 * t59, TB_C(0.01));
     const bool t61 = !t60;
-    const real_t tension_0 = t60 ? tb_min(t53, TB_C(10.0)) : TB_C(3.0);
-    const real_t tension_1 = t60 ? tb_min(t54, TB_C(10.0)) : TB_C(3.0);
-    const real_t tension_2 = t60 ? tb_min(t55, TB_C(10.0)) : TB_C(3.0);
+    const real_t tension_0 = t60 ? tb_min(t53, TB_TENSION_MAX) : TB_TENSION_MIN;
+    const real_t tension_1 = t60 ? tb_min(t54, TB_TENSION_MAX) : TB_TENSION_MIN;
+    const real_t tension_2 = t60 ? tb_min(t55, TB_TENSION_MAX) : TB_TENSION_MIN;
     const real_t t62 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t62 + structure[2] * tension_2;
@@ -576,7 +589,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[6], const real_t wr
     const real_t kkt_residual_0 = t60 ? t58 : TB_C(0.0);
     const real_t t64 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t65 = !(t64 < t29 && t64 < t30);
-    const bool t66 = TB_C(10.0) < t53 || TB_C(10.0) < t54 || TB_C(10.0) < t55;
+    const bool t66 = TB_TENSION_MAX < t53 || TB_TENSION_MAX < t54 || TB_TENSION_MAX < t55;
     if (t65) {
         return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }

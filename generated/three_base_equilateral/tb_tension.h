@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out generated/three_base_equilateral
+/* Regenerate: turnbuckle generate machines/three_base_equilateral.toml --out <this folder>
  * Machine bf852767ce09ae7f, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H

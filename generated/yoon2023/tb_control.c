@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out <this folder>
  * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
 {
@@ -13,10 +14,10 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
         torque[3] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
-    const real_t torque_3 = TB_C(0.005) * tension[3];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
+    const real_t torque_3 = TB_DRUM_RADIUS * tension[3];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;
@@ -32,11 +33,13 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
         force[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t t0 = pose[0] - TB_C(0.56);
-    const real_t t1 = tb_max(TB_C(0.0), t0 * TB_C(3560.0) + TB_C(5.0) * velocity[0]);
+    const real_t t0 = pose[0] - TB_WALL_1_X;
+    const real_t t1 = tb_max(TB_C(0.0), t0 * TB_WALL_1_STIFFNESS + TB_WALL_1_DAMPING *
+        velocity[0]);
     const real_t force_0 = TB_C(0.0) < t0 ? -t1 : TB_C(0.0);
-    const real_t t2 = pose[1] - TB_C(0.33);
-    const real_t t3 = tb_max(TB_C(0.0), t2 * TB_C(3575.0) + TB_C(5.0) * velocity[1]);
+    const real_t t2 = pose[1] - TB_WALL_2_Y;
+    const real_t t3 = tb_max(TB_C(0.0), t2 * TB_WALL_2_STIFFNESS + TB_WALL_2_DAMPING *
+        velocity[1]);
     const real_t force_1 = TB_C(0.0) < t2 ? -t3 : TB_C(0.0);
     force[0] = force_0;
     force[1] = force_1;
@@ -46,10 +49,10 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 /* Refuses with a status: load is 3 N. */
 static tb_status tb_refuse_load_tension(tb_status status, real_t load[4])
 {
-    load[0] = TB_C(3.0);
-    load[1] = TB_C(3.0);
-    load[2] = TB_C(3.0);
-    load[3] = TB_C(3.0);
+    load[0] = TB_TENSION_MIN;
+    load[1] = TB_TENSION_MIN;
+    load[2] = TB_TENSION_MIN;
+    load[3] = TB_TENSION_MIN;
     return status;
 }
 
@@ -105,8 +108,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[4])
         target[3] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_C(0.7118));
-    const real_t target_1 = tb_min(tb_max(pose[1], TB_C(0.0)), TB_C(0.4618));
+    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_FRAME_X);
+    const real_t target_1 = tb_min(tb_max(pose[1], TB_C(0.0)), TB_FRAME_Y);
     target[0] = target_0;
     target[1] = target_1;
     target[2] = target_0;
@@ -118,35 +121,37 @@ tb_status tb_base_pid(const real_t memory[12], const real_t target[4], const rea
     real_t next_memory[12], real_t force[4])
 {
     const real_t t0 = target[0] - measured[0];
-    const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
-    const real_t next_memory_2 = memory[2] + TB_C(0.7153904566639707) * t1;
-    const real_t t2 = TB_C(11000.0) * t0 + memory[0] - TB_C(140.0) * next_memory_2;
-    const bool t3 = (TB_C(60.0) < t2 && TB_C(0.0) < t0) || (t2 < -TB_C(60.0) && t0 < TB_C(0.0));
-    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_C(30.0);
+    const real_t t1 = (measured[0] - memory[1]) * TB_CONTROL_RATE - memory[2];
+    const real_t next_memory_2 = memory[2] + TB_RAIL_SPEED_GAIN * t1;
+    const real_t t2 = TB_RAIL_STIFFNESS * t0 + memory[0] - TB_RAIL_DAMPING * next_memory_2;
+    const bool t3 = (TB_RAIL_FORCE_LIMIT < t2 && TB_C(0.0) < t0) || (t2 < -TB_RAIL_FORCE_LIMIT
+        && t0 < TB_C(0.0));
+    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_RAIL_INTEGRAL_STEP;
     const real_t t4 = target[1] - measured[1];
-    const real_t t5 = TB_C(1000.0) * (measured[1] - memory[4]) - memory[5];
-    const real_t next_memory_5 = memory[5] + TB_C(0.7153904566639707) * t5;
-    const real_t t6 = TB_C(11000.0) * t4 + memory[3] - TB_C(140.0) * next_memory_5;
-    const bool t7 = (TB_C(60.0) < t6 && TB_C(0.0) < t4) || (t6 < -TB_C(60.0) && t4 < TB_C(0.0));
-    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_C(30.0) * t4;
+    const real_t t5 = TB_CONTROL_RATE * (measured[1] - memory[4]) - memory[5];
+    const real_t next_memory_5 = memory[5] + TB_RAIL_SPEED_GAIN * t5;
+    const real_t t6 = TB_RAIL_STIFFNESS * t4 + memory[3] - TB_RAIL_DAMPING * next_memory_5;
+    const bool t7 = (TB_RAIL_FORCE_LIMIT < t6 && TB_C(0.0) < t4) || (t6 < -TB_RAIL_FORCE_LIMIT
+        && t4 < TB_C(0.0));
+    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_RAIL_INTEGRAL_STEP * t4;
     const real_t t8 = target[2] - measured[2];
-    const real_t t9 = TB_C(1000.0) * (measured[2] - memory[7]) - memory[8];
-    const real_t next_memory_8 = memory[8] + TB_C(0.7153904566639707) * t9;
-    const real_t t10 = TB_C(11000.0) * t8 + memory[6] - TB_C(140.0) * next_memory_8;
-    const bool t11 = (TB_C(60.0) < t10 && TB_C(0.0) < t8) || (t10 < -TB_C(60.0) && t8 <
-        TB_C(0.0));
-    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_C(30.0) * t8;
+    const real_t t9 = TB_CONTROL_RATE * (measured[2] - memory[7]) - memory[8];
+    const real_t next_memory_8 = memory[8] + TB_RAIL_SPEED_GAIN * t9;
+    const real_t t10 = TB_RAIL_STIFFNESS * t8 + memory[6] - TB_RAIL_DAMPING * next_memory_8;
+    const bool t11 = (TB_RAIL_FORCE_LIMIT < t10 && TB_C(0.0) < t8) || (t10 <
+        -TB_RAIL_FORCE_LIMIT && t8 < TB_C(0.0));
+    const real_t next_memory_6 = t11 ? memory[6] : memory[6] + TB_RAIL_INTEGRAL_STEP * t8;
     const real_t t12 = target[3] - measured[3];
-    const real_t t13 = TB_C(1000.0) * (measured[3] - memory[10]) - memory[11];
-    const real_t next_memory_11 = memory[11] + TB_C(0.7153904566639707) * t13;
-    const real_t t14 = TB_C(11000.0) * t12 + memory[9] - TB_C(140.0) * next_memory_11;
-    const bool t15 = (TB_C(60.0) < t14 && TB_C(0.0) < t12) || (t14 < -TB_C(60.0) && t12 <
-        TB_C(0.0));
-    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_C(30.0) * t12;
-    const real_t force_0 = tb_min(tb_max(t2, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_1 = tb_min(tb_max(t6, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_2 = tb_min(tb_max(t10, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_3 = tb_min(tb_max(t14, -TB_C(60.0)), TB_C(60.0));
+    const real_t t13 = TB_CONTROL_RATE * (measured[3] - memory[10]) - memory[11];
+    const real_t next_memory_11 = memory[11] + TB_RAIL_SPEED_GAIN * t13;
+    const real_t t14 = TB_RAIL_STIFFNESS * t12 + memory[9] - TB_RAIL_DAMPING * next_memory_11;
+    const bool t15 = (TB_RAIL_FORCE_LIMIT < t14 && TB_C(0.0) < t12) || (t14 <
+        -TB_RAIL_FORCE_LIMIT && t12 < TB_C(0.0));
+    const real_t next_memory_9 = t15 ? memory[9] : memory[9] + TB_RAIL_INTEGRAL_STEP * t12;
+    const real_t force_0 = tb_min(tb_max(t2, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_1 = tb_min(tb_max(t6, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_2 = tb_min(tb_max(t10, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_3 = tb_min(tb_max(t14, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
     const bool t16 = TB_ABS(t2) <= TB_C(1000000000.0) && TB_ABS(t6) <= TB_C(1000000000.0);
     const bool t17 = t16 && TB_ABS(t10) <= TB_C(1000000000.0) && TB_ABS(t14) <=
         TB_C(1000000000.0);
@@ -193,44 +198,42 @@ tb_status tb_observe_disturbance(const real_t memory[20], const real_t length[4]
     const real_t load[4], const real_t applied[4], real_t next_memory[20],
     real_t disturbance[4])
 {
-    const real_t t0 = TB_C(6186.015601338797) * (length[0] - memory[0]);
-    const real_t next_memory_1 = TB_C(0.969069921993306) * memory[1] + t0;
-    const real_t next_memory_2 = applied[0] - TB_C(0.005) * load[0];
-    const real_t t1 = TB_C(0.015465039003346994) * (next_memory_2 + memory[2]);
-    const real_t next_memory_3 = TB_C(0.969069921993306) * memory[3] + t1;
-    const real_t t2 = TB_C(6.495316381405736e-05) * (next_memory_1 - memory[1]);
-    const real_t t3 = TB_C(5e-05) * (memory[1] + next_memory_1) + (memory[3] + next_memory_3);
-    const real_t next_memory_4 = TB_C(0.969069921993306) * memory[4] + t2 +
-        TB_C(0.015465039003346994) * t3;
-    const real_t t4 = TB_C(6186.015601338797) * (length[1] - memory[5]);
-    const real_t next_memory_6 = TB_C(0.969069921993306) * memory[6] + t4;
-    const real_t next_memory_7 = applied[1] - TB_C(0.005) * load[1];
-    const real_t t5 = TB_C(0.015465039003346994) * (next_memory_7 + memory[7]);
-    const real_t next_memory_8 = TB_C(0.969069921993306) * memory[8] + t5;
-    const real_t t6 = TB_C(6.495316381405736e-05) * (next_memory_6 - memory[6]);
-    const real_t t7 = TB_C(5e-05) * (memory[6] + next_memory_6) + (memory[8] + next_memory_8);
-    const real_t next_memory_9 = TB_C(0.969069921993306) * memory[9] + t6 +
-        TB_C(0.015465039003346994) * t7;
-    const real_t t8 = TB_C(6186.015601338797) * (length[2] - memory[10]);
-    const real_t next_memory_11 = TB_C(0.969069921993306) * memory[11] + t8;
-    const real_t next_memory_12 = applied[2] - TB_C(0.005) * load[2];
-    const real_t t9 = TB_C(0.015465039003346994) * (next_memory_12 + memory[12]);
-    const real_t next_memory_13 = TB_C(0.969069921993306) * memory[13] + t9;
-    const real_t t10 = TB_C(6.495316381405736e-05) * (next_memory_11 - memory[11]);
-    const real_t t11 = TB_C(5e-05) * (memory[11] + next_memory_11) + (memory[13] +
+    const real_t t0 = TB_OBSERVER_SPEED_GAIN * (length[0] - memory[0]);
+    const real_t next_memory_1 = TB_OBSERVER_POLE * memory[1] + t0;
+    const real_t next_memory_2 = applied[0] - TB_DRUM_RADIUS * load[0];
+    const real_t t1 = TB_OBSERVER_GAIN * (next_memory_2 + memory[2]);
+    const real_t next_memory_3 = TB_OBSERVER_POLE * memory[3] + t1;
+    const real_t t2 = TB_OBSERVER_INERTIA_GAIN * (next_memory_1 - memory[1]);
+    const real_t t3 = TB_OBSERVER_DAMPING * (memory[1] + next_memory_1) + (memory[3] +
+        next_memory_3);
+    const real_t next_memory_4 = TB_OBSERVER_POLE * memory[4] + t2 + TB_OBSERVER_GAIN * t3;
+    const real_t t4 = TB_OBSERVER_SPEED_GAIN * (length[1] - memory[5]);
+    const real_t next_memory_6 = TB_OBSERVER_POLE * memory[6] + t4;
+    const real_t next_memory_7 = applied[1] - TB_DRUM_RADIUS * load[1];
+    const real_t t5 = TB_OBSERVER_GAIN * (next_memory_7 + memory[7]);
+    const real_t next_memory_8 = TB_OBSERVER_POLE * memory[8] + t5;
+    const real_t t6 = TB_OBSERVER_INERTIA_GAIN * (next_memory_6 - memory[6]);
+    const real_t t7 = TB_OBSERVER_DAMPING * (memory[6] + next_memory_6) + (memory[8] +
+        next_memory_8);
+    const real_t next_memory_9 = TB_OBSERVER_POLE * memory[9] + t6 + TB_OBSERVER_GAIN * t7;
+    const real_t t8 = TB_OBSERVER_SPEED_GAIN * (length[2] - memory[10]);
+    const real_t next_memory_11 = TB_OBSERVER_POLE * memory[11] + t8;
+    const real_t next_memory_12 = applied[2] - TB_DRUM_RADIUS * load[2];
+    const real_t t9 = TB_OBSERVER_GAIN * (next_memory_12 + memory[12]);
+    const real_t next_memory_13 = TB_OBSERVER_POLE * memory[13] + t9;
+    const real_t t10 = TB_OBSERVER_INERTIA_GAIN * (next_memory_11 - memory[11]);
+    const real_t t11 = TB_OBSERVER_DAMPING * (memory[11] + next_memory_11) + (memory[13] +
         next_memory_13);
-    const real_t next_memory_14 = TB_C(0.969069921993306) * memory[14] + t10 +
-        TB_C(0.015465039003346994) * t11;
-    const real_t t12 = TB_C(6186.015601338797) * (length[3] - memory[15]);
-    const real_t next_memory_16 = TB_C(0.969069921993306) * memory[16] + t12;
-    const real_t next_memory_17 = applied[3] - TB_C(0.005) * load[3];
-    const real_t t13 = TB_C(0.015465039003346994) * (next_memory_17 + memory[17]);
-    const real_t next_memory_18 = TB_C(0.969069921993306) * memory[18] + t13;
-    const real_t t14 = TB_C(6.495316381405736e-05) * (next_memory_16 - memory[16]);
-    const real_t t15 = TB_C(5e-05) * (memory[16] + next_memory_16) + (memory[18] +
+    const real_t next_memory_14 = TB_OBSERVER_POLE * memory[14] + t10 + TB_OBSERVER_GAIN * t11;
+    const real_t t12 = TB_OBSERVER_SPEED_GAIN * (length[3] - memory[15]);
+    const real_t next_memory_16 = TB_OBSERVER_POLE * memory[16] + t12;
+    const real_t next_memory_17 = applied[3] - TB_DRUM_RADIUS * load[3];
+    const real_t t13 = TB_OBSERVER_GAIN * (next_memory_17 + memory[17]);
+    const real_t next_memory_18 = TB_OBSERVER_POLE * memory[18] + t13;
+    const real_t t14 = TB_OBSERVER_INERTIA_GAIN * (next_memory_16 - memory[16]);
+    const real_t t15 = TB_OBSERVER_DAMPING * (memory[16] + next_memory_16) + (memory[18] +
         next_memory_18);
-    const real_t next_memory_19 = TB_C(0.969069921993306) * memory[19] + t14 +
-        TB_C(0.015465039003346994) * t15;
+    const real_t next_memory_19 = TB_OBSERVER_POLE * memory[19] + t14 + TB_OBSERVER_GAIN * t15;
     const bool t16 = TB_ABS(next_memory_4) <= TB_C(1000000000.0) && TB_ABS(next_memory_9) <=
         TB_C(1000000000.0);
     const bool t17 = t16 && TB_ABS(next_memory_14) <= TB_C(1000000000.0);

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out <this folder>
  * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H

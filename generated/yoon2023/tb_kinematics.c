@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out <this folder>
  * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[4], real_t points[8])
 {
@@ -19,10 +20,10 @@ tb_status tb_base_points(const real_t rails[4], real_t points[8])
     }
     points[0] = rails[0];
     points[1] = TB_C(0.0);
-    points[2] = TB_C(0.7118);
+    points[2] = TB_FRAME_X;
     points[3] = rails[1];
     points[4] = rails[2];
-    points[5] = TB_C(0.4618);
+    points[5] = TB_FRAME_Y;
     points[6] = TB_C(0.0);
     points[7] = rails[3];
     return TB_OK;
@@ -45,10 +46,10 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[4], real_t v
     }
     const real_t vectors_0 = rails[0] - pose[0];
     const real_t vectors_1 = -pose[1];
-    const real_t vectors_2 = TB_C(0.7118) - pose[0];
+    const real_t vectors_2 = TB_FRAME_X - pose[0];
     const real_t vectors_3 = rails[1] - pose[1];
     const real_t vectors_4 = rails[2] - pose[0];
-    const real_t vectors_5 = TB_C(0.4618) - pose[1];
+    const real_t vectors_5 = TB_FRAME_Y - pose[1];
     const real_t vectors_6 = -pose[0];
     const real_t vectors_7 = rails[3] - pose[1];
     vectors[0] = vectors_0;
@@ -81,11 +82,11 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[4], real_t l
     }
     const real_t t0 = rails[0] - pose[0];
     const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
-    const real_t t1 = TB_C(0.7118) - pose[0];
+    const real_t t1 = TB_FRAME_X - pose[0];
     const real_t t2 = rails[1] - pose[1];
     const real_t length_1 = TB_SQRT(t1 * t1 + t2 * t2);
     const real_t t3 = rails[2] - pose[0];
-    const real_t t4 = TB_C(0.4618) - pose[1];
+    const real_t t4 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t3 * t3 + t4 * t4);
     const real_t t5 = rails[3] - pose[1];
     const real_t length_3 = TB_SQRT(pose[0] * pose[0] + t5 * t5);
@@ -128,13 +129,13 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[4], real_
     const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t structure_0 = t0 * t1;
-    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t t3 = rails[1] - pose[1];
     const real_t length_1 = TB_SQRT(t2 * t2 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t structure_1 = t2 * t4;
     const real_t t5 = rails[2] - pose[0];
-    const real_t t6 = TB_C(0.4618) - pose[1];
+    const real_t t6 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t5 * t5 + t6 * t6);
     const real_t t7 = TB_C(1.0) / length_2;
     const real_t structure_2 = t5 * t7;
@@ -190,14 +191,14 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[4], real_t
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t jacobian_0 = -(t0 * t1);
     const real_t jacobian_1 = pose[1] * t1;
-    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t t3 = rails[1] - pose[1];
     const real_t length_1 = TB_SQRT(t2 * t2 + t3 * t3);
     const real_t t4 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t2 * t4);
     const real_t jacobian_3 = -(t3 * t4);
     const real_t t5 = rails[2] - pose[0];
-    const real_t t6 = TB_C(0.4618) - pose[1];
+    const real_t t6 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t5 * t5 + t6 * t6);
     const real_t t7 = TB_C(1.0) / length_2;
     const real_t jacobian_4 = -(t5 * t7);
@@ -250,7 +251,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4],
     const real_t t1 = TB_C(1.0) / length_0;
     const real_t t2 = t0 * t1;
     const real_t t3 = length_rates[0] - t2 * rail_rates[0];
-    const real_t t4 = TB_C(0.7118) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = rails[1] - pose[1];
     const real_t length_1 = TB_SQRT(t4 * t4 + t5 * t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -258,7 +259,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4],
     const real_t t8 = t5 * t6;
     const real_t t9 = length_rates[1] - t8 * rail_rates[1];
     const real_t t10 = rails[2] - pose[0];
-    const real_t t11 = TB_C(0.4618) - pose[1];
+    const real_t t11 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t10 * t10 + t11 * t11);
     const real_t t12 = TB_C(1.0) / length_2;
     const real_t t13 = t10 * t12;
@@ -313,20 +314,20 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
               TB_C(5.6944))) {
         return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
-    const real_t t0 = (rails[0] + TB_C(0.7118) + rails[2]) * TB_C(0.25);
+    const real_t t0 = (rails[0] + TB_FRAME_X + rails[2]) * TB_C(0.25);
     const real_t t1 = rails[0] - t0;
     const real_t t2 = t1 * t1;
-    const real_t t3 = TB_C(0.25) * (rails[1] + TB_C(0.4618) + rails[3]);
+    const real_t t3 = TB_C(0.25) * (rails[1] + TB_FRAME_Y + rails[3]);
     const real_t t4 = t3 * t3;
     const real_t t5 = t2 + t4 - lengths[0] * lengths[0];
-    const real_t t6 = TB_C(0.7118) - t0;
+    const real_t t6 = TB_FRAME_X - t0;
     const real_t t7 = t6 * t6;
     const real_t t8 = rails[1] - t3;
     const real_t t9 = t8 * t8;
     const real_t t10 = t7 + t9 - lengths[1] * lengths[1];
     const real_t t11 = rails[2] - t0;
     const real_t t12 = t11 * t11;
-    const real_t t13 = TB_C(0.4618) - t3;
+    const real_t t13 = TB_FRAME_Y - t3;
     const real_t t14 = t13 * t13;
     const real_t t15 = t12 + t14 - lengths[2] * lengths[2];
     const real_t t16 = t0 * t0;
@@ -354,14 +355,14 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     const real_t t33 = TB_C(1.0) / distance_0;
     const real_t t34 = t32 * t33;
     const real_t t35 = distance_0 - lengths[0];
-    const real_t t36 = TB_C(0.7118) - start_0;
+    const real_t t36 = TB_FRAME_X - start_0;
     const real_t t37 = rails[1] - start_1;
     const real_t distance_1 = TB_SQRT(t36 * t36 + t37 * t37);
     const real_t t38 = TB_C(1.0) / distance_1;
     const real_t t39 = t36 * t38;
     const real_t t40 = distance_1 - lengths[1];
     const real_t t41 = rails[2] - start_0;
-    const real_t t42 = TB_C(0.4618) - start_1;
+    const real_t t42 = TB_FRAME_Y - start_1;
     const real_t distance_2 = TB_SQRT(t41 * t41 + t42 * t42);
     const real_t t43 = TB_C(1.0) / distance_2;
     const real_t t44 = t41 * t43;
@@ -388,12 +389,12 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], 
     const real_t t62 = TB_SQRT(t61 * t61 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t62;
-    const real_t t63 = TB_C(0.7118) - pose_0;
+    const real_t t63 = TB_FRAME_X - pose_0;
     const real_t t64 = rails[1] - pose_1;
     const real_t t65 = TB_SQRT(t63 * t63 + t64 * t64);
     const real_t misfit_1 = lengths[1] - t65;
     const real_t t66 = rails[2] - pose_0;
-    const real_t t67 = TB_C(0.4618) - pose_1;
+    const real_t t67 = TB_FRAME_Y - pose_1;
     const real_t t68 = TB_SQRT(t66 * t66 + t67 * t67);
     const real_t misfit_2 = lengths[2] - t68;
     const real_t t69 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
@@ -452,20 +453,20 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4],
               TB_ABS(rail_rates[3]) <= TB_C(400.0))) {
         return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
-    const real_t t0 = (rails[0] + TB_C(0.7118) + rails[2]) * TB_C(0.25);
+    const real_t t0 = (rails[0] + TB_FRAME_X + rails[2]) * TB_C(0.25);
     const real_t t1 = rails[0] - t0;
     const real_t t2 = t1 * t1;
-    const real_t t3 = TB_C(0.25) * (rails[1] + TB_C(0.4618) + rails[3]);
+    const real_t t3 = TB_C(0.25) * (rails[1] + TB_FRAME_Y + rails[3]);
     const real_t t4 = t3 * t3;
     const real_t t5 = t2 + t4 - lengths[0] * lengths[0];
-    const real_t t6 = TB_C(0.7118) - t0;
+    const real_t t6 = TB_FRAME_X - t0;
     const real_t t7 = t6 * t6;
     const real_t t8 = rails[1] - t3;
     const real_t t9 = t8 * t8;
     const real_t t10 = t7 + t9 - lengths[1] * lengths[1];
     const real_t t11 = rails[2] - t0;
     const real_t t12 = t11 * t11;
-    const real_t t13 = TB_C(0.4618) - t3;
+    const real_t t13 = TB_FRAME_Y - t3;
     const real_t t14 = t13 * t13;
     const real_t t15 = t12 + t14 - lengths[2] * lengths[2];
     const real_t t16 = t0 * t0;
@@ -493,14 +494,14 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4],
     const real_t t33 = TB_C(1.0) / distance_0;
     const real_t t34 = t32 * t33;
     const real_t t35 = distance_0 - lengths[0];
-    const real_t t36 = TB_C(0.7118) - start_0;
+    const real_t t36 = TB_FRAME_X - start_0;
     const real_t t37 = rails[1] - start_1;
     const real_t distance_1 = TB_SQRT(t36 * t36 + t37 * t37);
     const real_t t38 = TB_C(1.0) / distance_1;
     const real_t t39 = t36 * t38;
     const real_t t40 = distance_1 - lengths[1];
     const real_t t41 = rails[2] - start_0;
-    const real_t t42 = TB_C(0.4618) - start_1;
+    const real_t t42 = TB_FRAME_Y - start_1;
     const real_t distance_2 = TB_SQRT(t41 * t41 + t42 * t42);
     const real_t t43 = TB_C(1.0) / distance_2;
     const real_t t44 = t41 * t43;
@@ -527,12 +528,12 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[4],
     const real_t t62 = TB_SQRT(t61 * t61 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t62;
-    const real_t t63 = TB_C(0.7118) - pose_0;
+    const real_t t63 = TB_FRAME_X - pose_0;
     const real_t t64 = rails[1] - pose_1;
     const real_t t65 = TB_SQRT(t63 * t63 + t64 * t64);
     const real_t misfit_1 = lengths[1] - t65;
     const real_t t66 = rails[2] - pose_0;
-    const real_t t67 = TB_C(0.4618) - pose_1;
+    const real_t t67 = TB_FRAME_Y - pose_1;
     const real_t t68 = TB_SQRT(t66 * t66 + t67 * t67);
     const real_t misfit_2 = lengths[2] - t68;
     const real_t t69 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
@@ -632,11 +633,11 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[4], real_t j
     const real_t length_0 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
     const real_t jacobian_0 = t0 / length_0;
     const real_t t1 = rails[1] - pose[1];
-    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t length_1 = TB_SQRT(t2 * t2 + t1 * t1);
     const real_t jacobian_5 = t1 / length_1;
     const real_t t3 = rails[2] - pose[0];
-    const real_t t4 = TB_C(0.4618) - pose[1];
+    const real_t t4 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t3 * t3 + t4 * t4);
     const real_t jacobian_10 = t3 / length_2;
     const real_t t5 = rails[3] - pose[1];

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out <this folder>
  * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -29,5 +29,31 @@
 
 #define TB_HAS_OBSERVER 1
 #define TB_HAND_FORCE_MEASURED 1
+
+#define TB_TENSION_MIDDLE TB_C(6.5) /* N, middle of the bounds */
+#define TB_TENSION_HALF_RANGE TB_C(3.5) /* N, from the middle to a bound */
+
+#define TB_CONTROL_RATE TB_C(1000.0) /* Hz */
+
+#define TB_RAIL_STIFFNESS TB_C(11000.0) /* N/m */
+#define TB_RAIL_DAMPING TB_C(140.0) /* N s/m */
+#define TB_RAIL_INTEGRAL_STEP TB_C(30.0) /* N/m, of one cycle */
+#define TB_RAIL_SPEED_GAIN TB_C(0.7153904566639707) /* low-pass of a base's speed */
+
+#define TB_OBSERVER_POLE TB_C(0.969069921993306) /* of 1/(tau s + 1) */
+#define TB_OBSERVER_GAIN TB_C(0.015465039003346994) /* of 1/(tau s + 1) */
+#define TB_OBSERVER_SPEED_GAIN TB_C(6186.015601338797) /* rad/(s m), of s/(tau s + 1) */
+#define TB_OBSERVER_INERTIA_GAIN TB_C(6.495316381405736e-05) /* N m s, of J s/(tau s + 1) */
+#define TB_OBSERVER_DAMPING TB_C(5e-05) /* N m s/rad, nominal */
+
+#define TB_WALL_1_STIFFNESS TB_C(3560.0) /* N/m, right */
+#define TB_WALL_1_DAMPING TB_C(5.0) /* N s/m, right */
+#define TB_WALL_1_X TB_C(0.56) /* m, right */
+#define TB_WALL_2_STIFFNESS TB_C(3575.0) /* N/m, top */
+#define TB_WALL_2_DAMPING TB_C(5.0) /* N s/m, top */
+#define TB_WALL_2_Y TB_C(0.33) /* m, top */
+
+#define TB_FRAME_X TB_C(0.7118) /* m, side of the frame */
+#define TB_FRAME_Y TB_C(0.4618) /* m, side of the frame */
 
 #endif

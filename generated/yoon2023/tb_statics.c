@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out <this folder>
  * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
 {
@@ -46,7 +47,7 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4],
     const real_t t1 = t0 * t0;
     const real_t t2 = pose[1] * pose[1];
     const real_t t3 = TB_SQRT(t1 + t2);
-    const real_t t4 = TB_C(0.7118) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t t6 = rails[2] - pose[0];
     const real_t t7 = t6 * t6;
@@ -54,7 +55,7 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[4],
     const real_t t9 = t1 + t5 + t7 + t8;
     const real_t t10 = TB_C(1.0) / t9;
     const real_t t11 = rails[1] - pose[1];
-    const real_t t12 = TB_C(0.4618) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t t13 = rails[3] - pose[1];
     const real_t t14 = t4 * t11 - t0 * pose[1] + t6 * t12 - pose[0] * t13;
     const real_t t15 = t10 * t14;
@@ -124,11 +125,11 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[4], const real
     const real_t t1 = TB_SQRT(t0 * t0 + pose[1] * pose[1]);
     const real_t force_0 = -(tension[0] * (t0 / t1));
     const real_t t2 = rails[1] - pose[1];
-    const real_t t3 = TB_C(0.7118) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = TB_SQRT(t3 * t3 + t2 * t2);
     const real_t force_1 = -(tension[1] * (t2 / t4));
     const real_t t5 = rails[2] - pose[0];
-    const real_t t6 = TB_C(0.4618) - pose[1];
+    const real_t t6 = TB_FRAME_Y - pose[1];
     const real_t t7 = TB_SQRT(t5 * t5 + t6 * t6);
     const real_t force_2 = -(tension[2] * (t5 / t7));
     const real_t t8 = rails[3] - pose[1];

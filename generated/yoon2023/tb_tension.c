@@ -1,16 +1,17 @@
-/* Regenerate: turnbuckle generate machines/yoon2023.toml --out generated/yoon2023
+/* Regenerate: turnbuckle generate machines/yoon2023.toml --out <this folder>
  * Machine 499338192b9e5092, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_tension.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N; delivered is 0 N; kkt_residual is 0 N. */
 static tb_status tb_refuse_least_norm_tension_quick(tb_status status, real_t tension[4],
     real_t delivered[2], real_t kkt_residual[1])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
     delivered[0] = TB_C(0.0);
     delivered[1] = TB_C(0.0);
     kkt_residual[0] = TB_C(0.0);
@@ -48,8 +49,8 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t t7 = TB_C(1.0) / determinant;
     /* the least-norm tensions that exert the wrench */
     const real_t start_2 = t0 * t7;
-    const real_t t8 = TB_C(3.0) - start_2;
-    const real_t t9 = TB_C(10.0) - start_2;
+    const real_t t8 = TB_TENSION_MIN - start_2;
+    const real_t t9 = TB_TENSION_MAX - start_2;
     const real_t t10 = tb_min(tb_max(TB_C(0.0), t8), t9);
     const real_t t11 = t1 + (t4 + t5);
     const real_t t12 = TB_C(1.0) / tb_max(t11, TB_EPSILON);
@@ -57,24 +58,24 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
     const real_t height_2 = structure[2] * wrench[1] - structure[6] * wrench[0];
     const real_t t14 = height_0 * cross_03 + height_1 * cross_13 + cross_23 * height_2;
     const real_t start_3 = t7 * t14;
-    const real_t t15 = TB_C(3.0) - start_3;
-    const real_t t16 = TB_C(10.0) - start_3;
+    const real_t t15 = TB_TENSION_MIN - start_3;
+    const real_t t16 = TB_TENSION_MAX - start_3;
     const real_t t17 = tb_min(tb_max(TB_C(0.0), t15), t16);
     const real_t t18 = t1 + (t3 + t6);
     const real_t t19 = TB_C(1.0) / tb_max(t18, TB_EPSILON);
     const real_t t20 = t17 * (t17 * t19);
     const real_t t21 = height_1 * cross_01 + cross_02 * height_2 + height_3 * cross_03;
     const real_t t22 = t7 * t21;
-    const real_t t23 = TB_C(3.0) + t22;
-    const real_t t24 = TB_C(10.0) + t22;
+    const real_t t23 = TB_TENSION_MIN + t22;
+    const real_t t24 = TB_TENSION_MAX + t22;
     const real_t t25 = tb_min(tb_max(TB_C(0.0), t23), t24);
     const real_t t26 = t6 + (t2 + t4);
     const real_t t27 = TB_C(1.0) / tb_max(t26, TB_EPSILON);
     const real_t t28 = t25 * (t25 * t27);
     const real_t t29 = height_0 * cross_01 - cross_12 * height_2 - height_3 * cross_13;
     const real_t start_1 = t7 * t29;
-    const real_t t30 = TB_C(3.0) - start_1;
-    const real_t t31 = TB_C(10.0) - start_1;
+    const real_t t30 = TB_TENSION_MIN - start_1;
+    const real_t t31 = TB_TENSION_MAX - start_1;
     const real_t t32 = tb_min(tb_max(TB_C(0.0), t30), t31);
     const real_t t33 = t3 + (t2 + t5);
     const real_t t34 = TB_C(1.0) / tb_max(t33, TB_EPSILON);
@@ -292,10 +293,10 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
         t63 = t114;
         t64 = t115;
     }
-    const real_t tension_0 = tb_min(tb_max(t61 - t22, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t62, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t63, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t64, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_0 = tb_min(tb_max(t61 - t22, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_1 = tb_min(tb_max(start_1 + t62, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_2 = tb_min(tb_max(start_2 + t63, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_3 = tb_min(tb_max(start_3 + t64, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t152 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t152 + structure[2] * tension_2 + structure[3] * tension_3;
@@ -327,10 +328,10 @@ tb_status tb_least_norm_tension_quick(const real_t structure[8], const real_t wr
 static tb_status tb_refuse_least_norm_tension(tb_status status, real_t tension[4],
     real_t delivered[2], real_t kkt_residual[1])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
     delivered[0] = TB_C(0.0);
     delivered[1] = TB_C(0.0);
     kkt_residual[0] = TB_C(0.0);
@@ -372,16 +373,16 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t22 = t6 * (t21 + structure[3] * t18);
     /* the least-norm tensions that exert the wrench */
     const real_t start_3 = t18 - structure[3] * t22;
-    const real_t t23 = TB_C(3.0) - start_3;
+    const real_t t23 = TB_TENSION_MIN - start_3;
     const real_t t24 = TB_ABS(t3);
     const real_t t25 = TB_ABS(t12);
     const real_t t26 = TB_C(1.0) / tb_min(t24, t25);
     const real_t t27 = TB_C(30.0) * TB_EPSILON * t26;
     const real_t start_2 = t20 - structure[2] * t22;
-    const real_t t28 = TB_C(3.0) - start_2;
+    const real_t t28 = TB_TENSION_MIN - start_2;
     const real_t t29 = t28 - t27;
     const real_t start_1 = t19 - structure[1] * t22;
-    const real_t t30 = TB_C(3.0) - start_1;
+    const real_t t30 = TB_TENSION_MIN - start_1;
     const real_t t31 = t30 - t27;
     const real_t t32 = t9 * t16;
     const real_t t33 = TB_C(1.0) - t9 * t32;
@@ -401,13 +402,13 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
     const real_t t47 = t42 + structure[1] * t45;
     const real_t t48 = t38 * t39 + t46 * t47;
     const real_t t49 = t14 + t4 * t22;
-    const real_t t50 = TB_C(3.0) + t49;
-    const real_t t51 = t49 + TB_C(10.0);
+    const real_t t50 = TB_TENSION_MIN + t49;
+    const real_t t51 = t49 + TB_TENSION_MAX;
     const real_t t52 = tb_min(tb_max(TB_C(0.0), t50), t51);
     const real_t t53 = t27 < TB_ABS(t52) ? t52 : TB_C(0.0);
     const real_t t54 = t53 / tb_max(t38 * t38 + t46 * t46, TB_EPSILON);
     const real_t t55 = t48 * t54;
-    const real_t t56 = TB_C(10.0) - start_1;
+    const real_t t56 = TB_TENSION_MAX - start_1;
     const real_t t57 = t27 + t56;
     const real_t t58 = tb_max(t31 - t55, t55 - t57);
     const bool t59 = TB_C(0.0) < t58;
@@ -468,7 +469,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         t78 = t55;
         t79 = TB_C(0.0);
     }
-    const real_t t97 = TB_C(10.0) - start_2;
+    const real_t t97 = TB_TENSION_MAX - start_2;
     const real_t t98 = t27 + t97;
     const real_t t99 = tb_max(t29 - t75, t75 - t98);
     const bool t100 = TB_C(0.0) < t99;
@@ -551,7 +552,7 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         t107 = t75;
         t108 = t79;
     }
-    const real_t t137 = TB_C(10.0) - start_3;
+    const real_t t137 = TB_TENSION_MAX - start_3;
     const real_t t138 = tb_max(t23 - t27 - t104, t104 - (t27 + t137));
     const bool t139 = TB_C(0.0) < t138;
     real_t t140, t141, t142, t143, t144;
@@ -642,10 +643,10 @@ tb_status tb_least_norm_tension(const real_t structure[8], const real_t wrench[2
         t143 = t104;
         t144 = t108;
     }
-    const real_t tension_0 = tb_min(tb_max(t140 - t49, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = tb_min(tb_max(start_1 + t141, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = tb_min(tb_max(start_2 + t142, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = tb_min(tb_max(start_3 + t143, TB_C(3.0)), TB_C(10.0));
+    const real_t tension_0 = tb_min(tb_max(t140 - t49, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_1 = tb_min(tb_max(start_1 + t141, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_2 = tb_min(tb_max(start_2 + t142, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_3 = tb_min(tb_max(start_3 + t143, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t186 = structure[0] * tension_0 + structure[1] * tension_1;
     /* what the tensions exert, S T */
     const real_t delivered_0 = t186 + structure[2] * tension_2 + structure[3] * tension_3;
@@ -687,10 +688,10 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
         return TB_OUT_OF_DOMAIN;
     }
     const real_t t0 = structure[4] + structure[5] + structure[6] + structure[7];
-    const real_t t1 = TB_C(6.5) * t0;
+    const real_t t1 = TB_TENSION_MIDDLE * t0;
     const real_t t2 = wrench[1] - t1;
     const real_t t3 = structure[0] + structure[1] + structure[2] + structure[3];
-    const real_t t4 = TB_C(6.5) * t3;
+    const real_t t4 = TB_TENSION_MIDDLE * t3;
     const real_t t5 = wrench[0] - t4;
     const real_t t6 = structure[0] * t2 - structure[4] * t5;
     const real_t t7 = TB_ABS(t6);
@@ -707,7 +708,7 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
     const real_t t18 = t16 - t17;
     const real_t t19 = TB_ABS(t18);
     /* facets of the feasible wrenches, half distances */
-    const real_t facet_0 = TB_C(3.5) * (t11 + t15 + t19);
+    const real_t facet_0 = TB_TENSION_HALF_RANGE * (t11 + t15 + t19);
     const real_t t20 = t2 * structure[1] - structure[5] * t5;
     const real_t t21 = TB_ABS(t20);
     const real_t t22 = structure[6] * structure[1];
@@ -718,18 +719,18 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
     const real_t t27 = structure[5] * structure[3];
     const real_t t28 = t26 - t27;
     const real_t t29 = TB_ABS(t28);
-    const real_t facet_1 = TB_C(3.5) * (t11 + t25 + t29);
+    const real_t facet_1 = TB_TENSION_HALF_RANGE * (t11 + t25 + t29);
     const real_t t30 = t2 * structure[2] - structure[6] * t5;
     const real_t t31 = TB_ABS(t30);
     const real_t t32 = structure[7] * structure[2];
     const real_t t33 = structure[6] * structure[3];
     const real_t t34 = t32 - t33;
     const real_t t35 = TB_ABS(t34);
-    const real_t facet_2 = TB_C(3.5) * (t15 + t25 + t35);
+    const real_t facet_2 = TB_TENSION_HALF_RANGE * (t15 + t25 + t35);
     const bool t36 = t7 <= facet_0 && t21 <= facet_1 && t31 <= facet_2;
     const real_t t37 = t2 * structure[3] - structure[7] * t5;
     const real_t t38 = TB_ABS(t37);
-    const real_t facet_3 = TB_C(3.5) * (t35 + (t19 + t29));
+    const real_t facet_3 = TB_TENSION_HALF_RANGE * (t35 + (t19 + t29));
     const bool t39 = t36 && t38 <= facet_3;
     const bool t40 = !t39;
     real_t served_0, served_1;
@@ -819,26 +820,28 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const bool t92 = !t89;
             const bool t93 = (t89 && !t91) || (t92 && TB_C(0.0) < t17 - t16);
             const bool t94 = !t87;
-            const real_t t95 = (t87 && t93) || (t94 && !t93) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t95 = (t87 && t93) || (t94 && !t93) ? TB_TENSION_MAX : TB_TENSION_MIN;
             const bool t96 = t29 <= t88;
             const real_t t97 = structure[1] * structure[3] + structure[5] * structure[7];
             const bool t98 = TB_C(0.0) < t97;
             const bool t99 = !t96;
             const bool t100 = (t96 && !t98) || (t99 && TB_C(0.0) < t27 - t26);
-            const real_t t101 = (t87 && t100) || (t94 && !t100) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t101 = (t87 && t100) || (t94 && !t100) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t102 = t35 <= t88;
             const real_t t103 = structure[2] * structure[3] + structure[6] * structure[7];
             const bool t104 = TB_C(0.0) < t103;
             const bool t105 = !t102;
             const bool t106 = (t102 && !t104) || (t105 && TB_C(0.0) < t33 - t32);
-            const real_t t107 = (t87 && t106) || (t94 && !t106) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t107 = (t87 && t106) || (t94 && !t106) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const real_t t108 = structure[0] * t95 + structure[1] * t101 + structure[2] * t107;
             const real_t t109 = structure[4] * t95 + structure[5] * t101 + structure[6] * t107;
             const real_t t110 = structure[3] * (wrench[0] - t108) + structure[7] * (wrench[1] -
                 t109);
             const real_t t111 = structure[3] * structure[3] + structure[7] * structure[7];
-            const real_t t112 = tb_min(tb_max(t110 * (TB_C(1.0) / t111), TB_C(3.0)),
-                TB_C(10.0));
+            const real_t t112 = tb_min(tb_max(t110 * (TB_C(1.0) / t111), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t113 = t108 + structure[3] * t112;
             const real_t t114 = t113 - wrench[0];
             const real_t t115 = t109 + structure[7] * t112;
@@ -851,22 +854,25 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const bool t122 = !t119;
             const bool t123 = (t119 && !t121) || (t122 && TB_C(0.0) < t13 - t12);
             const bool t124 = !t118;
-            const real_t t125 = (t118 && t123) || (t124 && !t123) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t125 = (t118 && t123) || (t124 && !t123) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t126 = t25 <= t88;
             const real_t t127 = structure[1] * structure[2] + structure[5] * structure[6];
             const bool t128 = TB_C(0.0) < t127;
             const bool t129 = !t126;
             const bool t130 = (t126 && !t128) || (t129 && TB_C(0.0) < t23 - t22);
-            const real_t t131 = (t118 && t130) || (t124 && !t130) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t131 = (t118 && t130) || (t124 && !t130) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t132 = (t102 && t104) || (t105 && TB_C(0.0) < t34);
-            const real_t t133 = (t118 && t132) || (t124 && !t132) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t133 = (t118 && t132) || (t124 && !t132) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const real_t t134 = structure[0] * t125 + structure[1] * t131 + structure[3] * t133;
             const real_t t135 = structure[4] * t125 + structure[5] * t131 + structure[7] * t133;
             const real_t t136 = structure[2] * (wrench[0] - t134) + structure[6] * (wrench[1] -
                 t135);
             const real_t t137 = structure[2] * structure[2] + structure[6] * structure[6];
-            const real_t t138 = tb_min(tb_max(t136 * (TB_C(1.0) / t137), TB_C(3.0)),
-                TB_C(10.0));
+            const real_t t138 = tb_min(tb_max(t136 * (TB_C(1.0) / t137), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t139 = t134 + structure[2] * t138;
             const real_t t140 = t139 - wrench[0];
             const real_t t141 = t135 + structure[6] * t138;
@@ -879,18 +885,21 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const bool t148 = !t145;
             const bool t149 = (t145 && !t147) || (t148 && TB_C(0.0) < t9 - t8);
             const bool t150 = !t144;
-            const real_t t151 = (t144 && t149) || (t150 && !t149) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t151 = (t144 && t149) || (t150 && !t149) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t152 = (t126 && t128) || (t129 && TB_C(0.0) < t24);
-            const real_t t153 = (t144 && t152) || (t150 && !t152) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t153 = (t144 && t152) || (t150 && !t152) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t154 = (t96 && t98) || (t99 && TB_C(0.0) < t28);
-            const real_t t155 = (t144 && t154) || (t150 && !t154) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t155 = (t144 && t154) || (t150 && !t154) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const real_t t156 = structure[0] * t151 + structure[2] * t153 + structure[3] * t155;
             const real_t t157 = structure[4] * t151 + structure[6] * t153 + structure[7] * t155;
             const real_t t158 = structure[1] * (wrench[0] - t156) + structure[5] * (wrench[1] -
                 t157);
             const real_t t159 = structure[1] * structure[1] + structure[5] * structure[5];
-            const real_t t160 = tb_min(tb_max(t158 * (TB_C(1.0) / t159), TB_C(3.0)),
-                TB_C(10.0));
+            const real_t t160 = tb_min(tb_max(t158 * (TB_C(1.0) / t159), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t161 = t156 + structure[1] * t160;
             const real_t t162 = t161 - wrench[0];
             const real_t t163 = t157 + structure[5] * t160;
@@ -899,18 +908,21 @@ tb_status tb_served_wrench_scale(const real_t structure[8], const real_t wrench[
             const bool t166 = TB_C(0.0) < t6;
             const bool t167 = (t145 && t147) || (t148 && TB_C(0.0) < t10);
             const bool t168 = !t166;
-            const real_t t169 = (t166 && t167) || (t168 && !t167) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t169 = (t166 && t167) || (t168 && !t167) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t170 = (t119 && t121) || (t122 && TB_C(0.0) < t14);
-            const real_t t171 = (t166 && t170) || (t168 && !t170) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t171 = (t166 && t170) || (t168 && !t170) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const bool t172 = (t89 && t91) || (t92 && TB_C(0.0) < t18);
-            const real_t t173 = (t166 && t172) || (t168 && !t172) ? TB_C(10.0) : TB_C(3.0);
+            const real_t t173 = (t166 && t172) || (t168 && !t172) ? TB_TENSION_MAX :
+                TB_TENSION_MIN;
             const real_t t174 = structure[1] * t169 + structure[2] * t171 + structure[3] * t173;
             const real_t t175 = structure[5] * t169 + structure[6] * t171 + structure[7] * t173;
             const real_t t176 = structure[0] * (wrench[0] - t174) + structure[4] * (wrench[1] -
                 t175);
             const real_t t177 = structure[0] * structure[0] + structure[4] * structure[4];
-            const real_t t178 = tb_min(tb_max(t176 * (TB_C(1.0) / t177), TB_C(3.0)),
-                TB_C(10.0));
+            const real_t t178 = tb_min(tb_max(t176 * (TB_C(1.0) / t177), TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t179 = t174 + structure[0] * t178;
             const real_t t180 = t179 - wrench[0];
             const real_t t181 = t175 + structure[4] * t178;
@@ -973,10 +985,10 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         return TB_OUT_OF_DOMAIN;
     }
     const real_t t0 = structure[4] + structure[5] + structure[6] + structure[7];
-    const real_t t1 = TB_C(6.5) * t0;
+    const real_t t1 = TB_TENSION_MIDDLE * t0;
     const real_t t2 = wrench[1] - t1;
     const real_t t3 = structure[0] + structure[1] + structure[2] + structure[3];
-    const real_t t4 = TB_C(6.5) * t3;
+    const real_t t4 = TB_TENSION_MIDDLE * t3;
     const real_t t5 = wrench[0] - t4;
     const real_t t6 = structure[0] * t2 - structure[4] * t5;
     const real_t t7 = TB_ABS(t6);
@@ -993,7 +1005,7 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
     const real_t t18 = t16 - t17;
     const real_t t19 = TB_ABS(t18);
     /* facets of the feasible wrenches, half distances */
-    const real_t facet_0 = TB_C(3.5) * (t11 + t15 + t19);
+    const real_t facet_0 = TB_TENSION_HALF_RANGE * (t11 + t15 + t19);
     const real_t t20 = t2 * structure[1] - structure[5] * t5;
     const real_t t21 = TB_ABS(t20);
     const real_t t22 = structure[6] * structure[1];
@@ -1004,18 +1016,18 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
     const real_t t27 = structure[5] * structure[3];
     const real_t t28 = t26 - t27;
     const real_t t29 = TB_ABS(t28);
-    const real_t facet_1 = TB_C(3.5) * (t11 + t25 + t29);
+    const real_t facet_1 = TB_TENSION_HALF_RANGE * (t11 + t25 + t29);
     const real_t t30 = t2 * structure[2] - structure[6] * t5;
     const real_t t31 = TB_ABS(t30);
     const real_t t32 = structure[7] * structure[2];
     const real_t t33 = structure[6] * structure[3];
     const real_t t34 = t32 - t33;
     const real_t t35 = TB_ABS(t34);
-    const real_t facet_2 = TB_C(3.5) * (t15 + t25 + t35);
+    const real_t facet_2 = TB_TENSION_HALF_RANGE * (t15 + t25 + t35);
     const bool t36 = t7 <= facet_0 && t21 <= facet_1 && t31 <= facet_2;
     const real_t t37 = t2 * structure[3] - structure[7] * t5;
     const real_t t38 = TB_ABS(t37);
-    const real_t facet_3 = TB_C(3.5) * (t35 + (t19 + t29));
+    const real_t facet_3 = TB_TENSION_HALF_RANGE * (t35 + (t19 + t29));
     const bool t39 = t36 && t38 <= facet_3;
     const bool t40 = !t39;
     real_t served_0, served_1;
@@ -1031,24 +1043,25 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const bool t46 = !t43;
         const bool t47 = (t43 && !t45) || (t46 && TB_C(0.0) < t17 - t16);
         const bool t48 = !t41;
-        const real_t t49 = (t41 && t47) || (t48 && !t47) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t49 = (t41 && t47) || (t48 && !t47) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t50 = t29 <= t42;
         const real_t t51 = structure[1] * structure[3] + structure[5] * structure[7];
         const bool t52 = TB_C(0.0) < t51;
         const bool t53 = !t50;
         const bool t54 = (t50 && !t52) || (t53 && TB_C(0.0) < t27 - t26);
-        const real_t t55 = (t41 && t54) || (t48 && !t54) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t55 = (t41 && t54) || (t48 && !t54) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t56 = t35 <= t42;
         const real_t t57 = structure[2] * structure[3] + structure[6] * structure[7];
         const bool t58 = TB_C(0.0) < t57;
         const bool t59 = !t56;
         const bool t60 = (t56 && !t58) || (t59 && TB_C(0.0) < t33 - t32);
-        const real_t t61 = (t41 && t60) || (t48 && !t60) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t61 = (t41 && t60) || (t48 && !t60) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t62 = structure[0] * t49 + structure[1] * t55 + structure[2] * t61;
         const real_t t63 = structure[4] * t49 + structure[5] * t55 + structure[6] * t61;
         const real_t t64 = structure[3] * (wrench[0] - t62) + structure[7] * (wrench[1] - t63);
         const real_t t65 = structure[3] * structure[3] + structure[7] * structure[7];
-        const real_t t66 = tb_min(tb_max(t64 * (TB_C(1.0) / t65), TB_C(3.0)), TB_C(10.0));
+        const real_t t66 = tb_min(tb_max(t64 * (TB_C(1.0) / t65), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t67 = t62 + structure[3] * t66;
         const real_t t68 = t67 - wrench[0];
         const real_t t69 = t63 + structure[7] * t66;
@@ -1061,20 +1074,21 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const bool t76 = !t73;
         const bool t77 = (t73 && !t75) || (t76 && TB_C(0.0) < t13 - t12);
         const bool t78 = !t72;
-        const real_t t79 = (t72 && t77) || (t78 && !t77) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t79 = (t72 && t77) || (t78 && !t77) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t80 = t25 <= t42;
         const real_t t81 = structure[1] * structure[2] + structure[5] * structure[6];
         const bool t82 = TB_C(0.0) < t81;
         const bool t83 = !t80;
         const bool t84 = (t80 && !t82) || (t83 && TB_C(0.0) < t23 - t22);
-        const real_t t85 = (t72 && t84) || (t78 && !t84) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t85 = (t72 && t84) || (t78 && !t84) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t86 = (t56 && t58) || (t59 && TB_C(0.0) < t34);
-        const real_t t87 = (t72 && t86) || (t78 && !t86) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t87 = (t72 && t86) || (t78 && !t86) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t88 = structure[0] * t79 + structure[1] * t85 + structure[3] * t87;
         const real_t t89 = structure[4] * t79 + structure[5] * t85 + structure[7] * t87;
         const real_t t90 = structure[2] * (wrench[0] - t88) + structure[6] * (wrench[1] - t89);
         const real_t t91 = structure[2] * structure[2] + structure[6] * structure[6];
-        const real_t t92 = tb_min(tb_max(t90 * (TB_C(1.0) / t91), TB_C(3.0)), TB_C(10.0));
+        const real_t t92 = tb_min(tb_max(t90 * (TB_C(1.0) / t91), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t93 = t88 + structure[2] * t92;
         const real_t t94 = t93 - wrench[0];
         const real_t t95 = t89 + structure[6] * t92;
@@ -1087,17 +1101,18 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const bool t102 = !t99;
         const bool t103 = (t99 && !t101) || (t102 && TB_C(0.0) < t9 - t8);
         const bool t104 = !t98;
-        const real_t t105 = (t98 && t103) || (t104 && !t103) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t105 = (t98 && t103) || (t104 && !t103) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t106 = (t80 && t82) || (t83 && TB_C(0.0) < t24);
-        const real_t t107 = (t98 && t106) || (t104 && !t106) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t107 = (t98 && t106) || (t104 && !t106) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t108 = (t50 && t52) || (t53 && TB_C(0.0) < t28);
-        const real_t t109 = (t98 && t108) || (t104 && !t108) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t109 = (t98 && t108) || (t104 && !t108) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t110 = structure[0] * t105 + structure[2] * t107 + structure[3] * t109;
         const real_t t111 = structure[4] * t105 + structure[6] * t107 + structure[7] * t109;
         const real_t t112 = structure[1] * (wrench[0] - t110) + structure[5] * (wrench[1] -
             t111);
         const real_t t113 = structure[1] * structure[1] + structure[5] * structure[5];
-        const real_t t114 = tb_min(tb_max(t112 * (TB_C(1.0) / t113), TB_C(3.0)), TB_C(10.0));
+        const real_t t114 = tb_min(tb_max(t112 * (TB_C(1.0) / t113), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t115 = t110 + structure[1] * t114;
         const real_t t116 = t115 - wrench[0];
         const real_t t117 = t111 + structure[5] * t114;
@@ -1106,17 +1121,18 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
         const bool t120 = TB_C(0.0) < t6;
         const bool t121 = (t99 && t101) || (t102 && TB_C(0.0) < t10);
         const bool t122 = !t120;
-        const real_t t123 = (t120 && t121) || (t122 && !t121) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t123 = (t120 && t121) || (t122 && !t121) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t124 = (t73 && t75) || (t76 && TB_C(0.0) < t14);
-        const real_t t125 = (t120 && t124) || (t122 && !t124) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t125 = (t120 && t124) || (t122 && !t124) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const bool t126 = (t43 && t45) || (t46 && TB_C(0.0) < t18);
-        const real_t t127 = (t120 && t126) || (t122 && !t126) ? TB_C(10.0) : TB_C(3.0);
+        const real_t t127 = (t120 && t126) || (t122 && !t126) ? TB_TENSION_MAX : TB_TENSION_MIN;
         const real_t t128 = structure[1] * t123 + structure[2] * t125 + structure[3] * t127;
         const real_t t129 = structure[5] * t123 + structure[6] * t125 + structure[7] * t127;
         const real_t t130 = structure[0] * (wrench[0] - t128) + structure[4] * (wrench[1] -
             t129);
         const real_t t131 = structure[0] * structure[0] + structure[4] * structure[4];
-        const real_t t132 = tb_min(tb_max(t130 * (TB_C(1.0) / t131), TB_C(3.0)), TB_C(10.0));
+        const real_t t132 = tb_min(tb_max(t130 * (TB_C(1.0) / t131), TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t133 = t128 + structure[0] * t132;
         const real_t t134 = t133 - wrench[0];
         const real_t t135 = t129 + structure[4] * t132;
@@ -1161,10 +1177,10 @@ tb_status tb_served_wrench_closest(const real_t structure[8], const real_t wrenc
 static tb_status tb_refuse_distribute_tension_paper(tb_status status, real_t tension[4],
     real_t delivered[2], real_t kkt_residual[1])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
     delivered[0] = TB_C(0.0);
     delivered[1] = TB_C(0.0);
     kkt_residual[0] = TB_C(0.0);
@@ -1206,17 +1222,17 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t22 = t6 * (t21 + structure[3] * t18);
     /* the least-norm tensions that exert the wrench */
     const real_t start_3 = t18 - structure[3] * t22;
-    const real_t t23 = TB_C(3.0) - start_3;
-    const real_t t24 = TB_C(3.0) + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
+    const real_t t23 = TB_TENSION_MIN - start_3;
+    const real_t t24 = TB_TENSION_MIN + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
     const real_t t25 = TB_ABS(t3);
     const real_t t26 = TB_ABS(t12);
     const real_t t27 = TB_C(1.0) / tb_min(t25, t26);
     const real_t t28 = TB_C(3.0) * TB_EPSILON * t24 * t27;
     const real_t start_2 = t20 - structure[2] * t22;
-    const real_t t29 = TB_C(3.0) - start_2;
+    const real_t t29 = TB_TENSION_MIN - start_2;
     const real_t t30 = t29 - t28;
     const real_t start_1 = t19 - structure[1] * t22;
-    const real_t t31 = TB_C(3.0) - start_1;
+    const real_t t31 = TB_TENSION_MIN - start_1;
     const real_t t32 = t31 - t28;
     const real_t t33 = t9 * t16;
     const real_t t34 = TB_C(1.0) - t9 * t33;
@@ -1236,7 +1252,7 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t t48 = t43 + structure[1] * t46;
     const real_t t49 = t39 * t40 + t47 * t48;
     const real_t t50 = t14 + t4 * t22;
-    const real_t t51 = TB_C(3.0) + t50;
+    const real_t t51 = TB_TENSION_MIN + t50;
     const real_t t52 = t50 + TB_C(1000000000000.0);
     const real_t t53 = tb_min(tb_max(TB_C(0.0), t51), t52);
     const real_t t54 = t28 < TB_ABS(t53) ? t53 : TB_C(0.0);
@@ -1477,11 +1493,11 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
         t144 = t109;
         t145 = t105;
     }
-    const real_t t187 = tb_min(tb_max(t142 - t50, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t188 = tb_min(tb_max(start_1 + t143, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t189 = tb_min(tb_max(start_2 + t144, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t187 = tb_min(tb_max(t142 - t50, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t188 = tb_min(tb_max(start_1 + t143, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t189 = tb_min(tb_max(start_2 + t144, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t190 = structure[0] * t187 + structure[1] * t188 + structure[2] * t189;
-    const real_t t191 = tb_min(tb_max(start_3 + t145, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t191 = tb_min(tb_max(start_3 + t145, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t192 = tb_max(t141, TB_ABS(t190 + structure[3] * t191 - wrench[0]));
     const real_t t193 = structure[4] * t187 + structure[5] * t188 + structure[6] * t189;
     const real_t t194 = tb_max(t192, TB_ABS(t193 + structure[7] * t191 - wrench[1]));
@@ -1490,16 +1506,16 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const bool t196 = t194 <= tb_min(t27 * t195, TB_C(0.01));
     real_t tension_0, tension_1, tension_2, tension_3, kkt_residual_0;
     if (t196) {
-        tension_0 = tb_min(t187, TB_C(10.0));
-        tension_1 = tb_min(t188, TB_C(10.0));
-        tension_2 = tb_min(t189, TB_C(10.0));
-        tension_3 = tb_min(t191, TB_C(10.0));
+        tension_0 = tb_min(t187, TB_TENSION_MAX);
+        tension_1 = tb_min(t188, TB_TENSION_MAX);
+        tension_2 = tb_min(t189, TB_TENSION_MAX);
+        tension_3 = tb_min(t191, TB_TENSION_MAX);
         kkt_residual_0 = t194;
     } else {
-        tension_0 = TB_C(3.0);
-        tension_1 = TB_C(3.0);
-        tension_2 = TB_C(3.0);
-        tension_3 = TB_C(3.0);
+        tension_0 = TB_TENSION_MIN;
+        tension_1 = TB_TENSION_MIN;
+        tension_2 = TB_TENSION_MIN;
+        tension_3 = TB_TENSION_MIN;
         kkt_residual_0 = TB_C(0.0);
     }
     const bool t197 = !t196;
@@ -1510,8 +1526,8 @@ tb_status tb_distribute_tension_paper(const real_t structure[8], const real_t wr
     const real_t delivered_1 = t199 + structure[6] * tension_2 + structure[7] * tension_3;
     const real_t t200 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t201 = !(t200 < t25 && t200 < t26);
-    const bool t202 = TB_C(10.0) < t187 || TB_C(10.0) < t188 || TB_C(10.0) < t189;
-    const bool t203 = t202 || TB_C(10.0) < t191;
+    const bool t202 = TB_TENSION_MAX < t187 || TB_TENSION_MAX < t188 || TB_TENSION_MAX < t189;
+    const bool t203 = t202 || TB_TENSION_MAX < t191;
     if (t201) {
         return tb_refuse_distribute_tension_paper(TB_SINGULAR, tension, delivered, kkt_residual);
     }

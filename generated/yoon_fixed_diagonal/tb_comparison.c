@@ -1,15 +1,16 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out <this folder>
  * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_comparison.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N. */
 static tb_status tb_refuse_kernel_tension(tb_status status, real_t tension[4])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
     return status;
 }
 
@@ -47,17 +48,17 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2],
     const real_t t21 = structure[1] * t19 - t4 * t14 + structure[2] * t20;
     const real_t t22 = t6 * (t21 + structure[3] * t18);
     const real_t t23 = t18 - structure[3] * t22;
-    const real_t t24 = TB_C(3.0) - t23;
-    const real_t t25 = TB_C(3.0) + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
+    const real_t t24 = TB_TENSION_MIN - t23;
+    const real_t t25 = TB_TENSION_MIN + (TB_ABS(wrench[0]) + TB_ABS(wrench[1]));
     const real_t t26 = TB_ABS(t3);
     const real_t t27 = TB_ABS(t12);
     const real_t t28 = TB_C(1.0) / tb_min(t26, t27);
     const real_t t29 = TB_C(3.0) * TB_EPSILON * t25 * t28;
     const real_t t30 = t20 - structure[2] * t22;
-    const real_t t31 = TB_C(3.0) - t30;
+    const real_t t31 = TB_TENSION_MIN - t30;
     const real_t t32 = t31 - t29;
     const real_t t33 = t19 - structure[1] * t22;
-    const real_t t34 = TB_C(3.0) - t33;
+    const real_t t34 = TB_TENSION_MIN - t33;
     const real_t t35 = t34 - t29;
     const real_t t36 = t9 * t16;
     const real_t t37 = TB_C(1.0) - t9 * t36;
@@ -77,7 +78,7 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2],
     const real_t t51 = t46 + structure[1] * t49;
     const real_t t52 = t42 * t43 + t50 * t51;
     const real_t t53 = t14 + t4 * t22;
-    const real_t t54 = TB_C(3.0) + t53;
+    const real_t t54 = TB_TENSION_MIN + t53;
     const real_t t55 = t53 + TB_C(1000000000000.0);
     const real_t t56 = tb_min(tb_max(TB_C(0.0), t54), t55);
     const real_t t57 = t29 < TB_ABS(t56) ? t56 : TB_C(0.0);
@@ -318,11 +319,11 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2],
         t147 = t112;
         t148 = t108;
     }
-    const real_t t190 = tb_min(tb_max(t145 - t53, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t191 = tb_min(tb_max(t33 + t146, TB_C(3.0)), TB_C(1000000000000.0));
-    const real_t t192 = tb_min(tb_max(t30 + t147, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t190 = tb_min(tb_max(t145 - t53, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t191 = tb_min(tb_max(t33 + t146, TB_TENSION_MIN), TB_C(1000000000000.0));
+    const real_t t192 = tb_min(tb_max(t30 + t147, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t193 = structure[0] * t190 + structure[1] * t191 + structure[2] * t192;
-    const real_t t194 = tb_min(tb_max(t23 + t148, TB_C(3.0)), TB_C(1000000000000.0));
+    const real_t t194 = tb_min(tb_max(t23 + t148, TB_TENSION_MIN), TB_C(1000000000000.0));
     const real_t t195 = tb_max(t144, TB_ABS(t193 + structure[3] * t194 - wrench[0]));
     const real_t t196 = structure[4] * t190 + structure[5] * t191 + structure[6] * t192;
     const real_t t197 = tb_max(t195, TB_ABS(t196 + structure[7] * t194 - wrench[1]));
@@ -330,10 +331,10 @@ tb_status tb_kernel_tension(const real_t structure[8], const real_t wrench[2],
         t194);
     const bool t199 = t197 <= tb_min(t28 * t198, TB_C(0.01));
     const bool t200 = !t199;
-    const real_t tension_0 = t199 ? t190 : TB_C(3.0);
-    const real_t tension_1 = t199 ? t191 : TB_C(3.0);
-    const real_t tension_2 = t199 ? t192 : TB_C(3.0);
-    const real_t tension_3 = t199 ? t194 : TB_C(3.0);
+    const real_t tension_0 = t199 ? t190 : TB_TENSION_MIN;
+    const real_t tension_1 = t199 ? t191 : TB_TENSION_MIN;
+    const real_t tension_2 = t199 ? t192 : TB_TENSION_MIN;
+    const real_t tension_3 = t199 ? t194 : TB_TENSION_MIN;
     const real_t t201 = tb_max(TB_C(1e-06), TB_EPSILON * TB_C(4096.0));
     const bool t202 = !(t201 < t26 && t201 < t27);
     if (t202) {
@@ -598,16 +599,16 @@ tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wren
               TB_ABS(structure[3]) + TB_ABS(structure[4]) + TB_ABS(structure[5]) +
               TB_ABS(structure[6]) + TB_ABS(structure[7]) <= TB_C(32.0)
           && TB_ABS(wrench[0]) + TB_ABS(wrench[1]) <= TB_C(80000.0))) {
-        tension[0] = TB_C(3.0);
-        tension[1] = TB_C(3.0);
-        tension[2] = TB_C(3.0);
-        tension[3] = TB_C(3.0);
+        tension[0] = TB_TENSION_MIN;
+        tension[1] = TB_TENSION_MIN;
+        tension[2] = TB_TENSION_MIN;
+        tension[3] = TB_TENSION_MIN;
         return TB_OUT_OF_DOMAIN;
     }
     const real_t t0 = structure[4] + structure[5] + structure[6] + structure[7];
-    const real_t t1 = wrench[1] - TB_C(3.0) * t0;
+    const real_t t1 = wrench[1] - TB_TENSION_MIN * t0;
     const real_t t2 = structure[1] + structure[0] + structure[2] + structure[3];
-    const real_t t3 = wrench[0] - TB_C(3.0) * t2;
+    const real_t t3 = wrench[0] - TB_TENSION_MIN * t2;
     const real_t t4 = structure[1] * t1 - structure[5] * t3;
     const real_t t5 = structure[5] * structure[0] - structure[1] * structure[4];
     const real_t t6 = TB_C(1.0) / t5;
@@ -691,15 +692,15 @@ tb_status tb_reduced_matrix_tension(const real_t structure[8], const real_t wren
             t71 = t75 ? (t76 ? t38 : TB_C(0.0)) : t54;
             t72 = t75 ? (t76 ? TB_C(0.0) : t46) : t55;
         }
-        tension_0 = TB_C(3.0) + tb_max(t69, TB_C(0.0));
-        tension_1 = TB_C(3.0) + tb_max(t70, TB_C(0.0));
-        tension_2 = TB_C(3.0) + tb_max(t71, TB_C(0.0));
-        tension_3 = TB_C(3.0) + tb_max(t72, TB_C(0.0));
+        tension_0 = TB_TENSION_MIN + tb_max(t69, TB_C(0.0));
+        tension_1 = TB_TENSION_MIN + tb_max(t70, TB_C(0.0));
+        tension_2 = TB_TENSION_MIN + tb_max(t71, TB_C(0.0));
+        tension_3 = TB_TENSION_MIN + tb_max(t72, TB_C(0.0));
     } else {
-        tension_0 = TB_C(3.0);
-        tension_1 = TB_C(3.0);
-        tension_2 = TB_C(3.0);
-        tension_3 = TB_C(3.0);
+        tension_0 = TB_TENSION_MIN;
+        tension_1 = TB_TENSION_MIN;
+        tension_2 = TB_TENSION_MIN;
+        tension_3 = TB_TENSION_MIN;
     }
     const bool t77 = !t59;
     tension[0] = tension_0;
@@ -882,7 +883,7 @@ static tb_status tb_largest_tension_begin(const real_t structure[8], const real_
     if (t12) {
         return tb_refuse_largest_tension_begin(TB_SINGULAR, most, size);
     }
-    most[0] = TB_C(3.0);
+    most[0] = TB_TENSION_MIN;
     size[0] = force[0];
     return TB_OK;
 }
@@ -910,14 +911,14 @@ static tb_status tb_largest_tension_visit(const real_t chosen[2], const real_t n
         const real_t t10 = t8 + (t7 + (t5 + t6));
         const real_t t11 = (t9 + t10) * TB_C(0.5);
         const real_t t12 = TB_C(0.5) * (t9 - t10);
-        const real_t t13 = size[0] + TB_C(3.0) * t12;
+        const real_t t13 = size[0] + TB_TENSION_MIN * t12;
         real_t t14;
         if (t1 < t11) {
             t14 = t13 / t11;
         } else {
             t14 = t1 < t13 ? TB_C(1e+30) : TB_C(0.0);
         }
-        const real_t t15 = size[0] + TB_C(3.0) * t11;
+        const real_t t15 = size[0] + TB_TENSION_MIN * t11;
         real_t t16;
         if (t1 < t12) {
             t16 = t15 / t12;

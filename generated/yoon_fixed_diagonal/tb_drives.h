@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out <this folder>
  * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_DRIVES_H

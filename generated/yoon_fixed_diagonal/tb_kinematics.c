@@ -1,19 +1,20 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out <this folder>
  * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
 {
     (void)rails;
     points[0] = TB_C(0.0);
     points[1] = TB_C(0.0);
-    points[2] = TB_C(0.506);
+    points[2] = TB_FRAME_X;
     points[3] = TB_C(0.0);
-    points[4] = TB_C(0.506);
-    points[5] = TB_C(0.284);
+    points[4] = TB_FRAME_X;
+    points[5] = TB_FRAME_Y;
     points[6] = TB_C(0.0);
-    points[7] = TB_C(0.284);
+    points[7] = TB_FRAME_Y;
     return TB_OK;
 }
 
@@ -33,8 +34,8 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     }
     const real_t vectors_0 = -pose[0];
     const real_t vectors_1 = -pose[1];
-    const real_t vectors_2 = TB_C(0.506) - pose[0];
-    const real_t vectors_5 = TB_C(0.284) - pose[1];
+    const real_t vectors_2 = TB_FRAME_X - pose[0];
+    const real_t vectors_5 = TB_FRAME_Y - pose[1];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
     vectors[2] = vectors_2;
@@ -65,10 +66,10 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     const real_t t0 = pose[0] * pose[0];
     const real_t t1 = pose[1] * pose[1];
     const real_t length_0 = TB_SQRT(t0 + t1);
-    const real_t t2 = TB_C(0.506) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t t3 = t2 * t2;
     const real_t length_1 = TB_SQRT(t1 + t3);
-    const real_t t4 = TB_C(0.284) - pose[1];
+    const real_t t4 = TB_FRAME_Y - pose[1];
     const real_t t5 = t4 * t4;
     const real_t length_2 = TB_SQRT(t3 + t5);
     const real_t length_3 = TB_SQRT(t0 + t5);
@@ -111,12 +112,12 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t structure_0 = -(pose[0] * t2);
-    const real_t t3 = TB_C(0.506) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = t3 * t3;
     const real_t length_1 = TB_SQRT(t1 + t4);
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t structure_1 = t3 * t5;
-    const real_t t6 = TB_C(0.284) - pose[1];
+    const real_t t6 = TB_FRAME_Y - pose[1];
     const real_t t7 = t6 * t6;
     const real_t length_2 = TB_SQRT(t4 + t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -172,13 +173,13 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t jacobian_0 = pose[0] * t2;
     const real_t jacobian_1 = pose[1] * t2;
-    const real_t t3 = TB_C(0.506) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = t3 * t3;
     const real_t length_1 = TB_SQRT(t1 + t4);
     const real_t t5 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t3 * t5);
     const real_t jacobian_3 = pose[1] * t5;
-    const real_t t6 = TB_C(0.284) - pose[1];
+    const real_t t6 = TB_FRAME_Y - pose[1];
     const real_t t7 = t6 * t6;
     const real_t length_2 = TB_SQRT(t4 + t7);
     const real_t t8 = TB_C(1.0) / length_2;
@@ -223,7 +224,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
               TB_ABS(length_rates[3]) <= TB_C(400.0))) {
         return tb_refuse_task_velocity(TB_OUT_OF_DOMAIN, velocity);
     }
-    const real_t t0 = TB_C(0.506) - pose[0];
+    const real_t t0 = TB_FRAME_X - pose[0];
     const real_t t1 = t0 * t0;
     const real_t t2 = pose[1] * pose[1];
     /* l_i = |b_i - c|, Yoon eq. 18 */
@@ -234,7 +235,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t length_0 = TB_SQRT(t2 + t5);
     const real_t t6 = TB_C(1.0) / length_0;
     const real_t t7 = pose[0] * t6;
-    const real_t t8 = TB_C(0.284) - pose[1];
+    const real_t t8 = TB_FRAME_Y - pose[1];
     const real_t t9 = t8 * t8;
     const real_t length_2 = TB_SQRT(t1 + t9);
     const real_t t10 = TB_C(1.0) / length_2;
@@ -301,7 +302,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t10 = (t8 + -TB_C(0.253) * t9) * TB_C(0.5) * TB_C(3.9057007608305083);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = TB_C(0.253) + t10;
-    const real_t t11 = TB_C(0.506) - start_0;
+    const real_t t11 = TB_FRAME_X - start_0;
     const real_t t12 = t11 * t11;
     const real_t t13 = t5 * -TB_C(0.142) + t6 * -TB_C(0.142) + t7 * TB_C(0.142);
     const real_t t14 = TB_C(0.5) * (t13 + t9 * TB_C(0.142)) * TB_C(12.398333663955565);
@@ -317,7 +318,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t20 = TB_C(1.0) / distance_0;
     const real_t t21 = start_0 * t20;
     const real_t t22 = distance_0 - lengths[0];
-    const real_t t23 = TB_C(0.284) - start_1;
+    const real_t t23 = TB_FRAME_Y - start_1;
     const real_t t24 = t23 * t23;
     const real_t distance_2 = TB_SQRT(t12 + t24);
     const real_t t25 = TB_C(1.0) / distance_2;
@@ -345,11 +346,11 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t44 = TB_SQRT(t42 + t43);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t44;
-    const real_t t45 = TB_C(0.506) - pose_0;
+    const real_t t45 = TB_FRAME_X - pose_0;
     const real_t t46 = t45 * t45;
     const real_t t47 = TB_SQRT(t43 + t46);
     const real_t misfit_1 = lengths[1] - t47;
-    const real_t t48 = TB_C(0.284) - pose_1;
+    const real_t t48 = TB_FRAME_Y - pose_1;
     const real_t t49 = t48 * t48;
     const real_t t50 = TB_SQRT(t46 + t49);
     const real_t misfit_2 = lengths[2] - t50;
@@ -420,7 +421,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t10 = (t8 + -TB_C(0.253) * t9) * TB_C(0.5) * TB_C(3.9057007608305083);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = TB_C(0.253) + t10;
-    const real_t t11 = TB_C(0.506) - start_0;
+    const real_t t11 = TB_FRAME_X - start_0;
     const real_t t12 = t11 * t11;
     const real_t t13 = t5 * -TB_C(0.142) + t6 * -TB_C(0.142) + t7 * TB_C(0.142);
     const real_t t14 = TB_C(0.5) * (t13 + t9 * TB_C(0.142)) * TB_C(12.398333663955565);
@@ -436,7 +437,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t20 = TB_C(1.0) / distance_0;
     const real_t t21 = start_0 * t20;
     const real_t t22 = distance_0 - lengths[0];
-    const real_t t23 = TB_C(0.284) - start_1;
+    const real_t t23 = TB_FRAME_Y - start_1;
     const real_t t24 = t23 * t23;
     const real_t distance_2 = TB_SQRT(t12 + t24);
     const real_t t25 = TB_C(1.0) / distance_2;
@@ -464,11 +465,11 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t44 = TB_SQRT(t42 + t43);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t44;
-    const real_t t45 = TB_C(0.506) - pose_0;
+    const real_t t45 = TB_FRAME_X - pose_0;
     const real_t t46 = t45 * t45;
     const real_t t47 = TB_SQRT(t43 + t46);
     const real_t misfit_1 = lengths[1] - t47;
-    const real_t t48 = TB_C(0.284) - pose_1;
+    const real_t t48 = TB_FRAME_Y - pose_1;
     const real_t t49 = t48 * t48;
     const real_t t50 = TB_SQRT(t46 + t49);
     const real_t misfit_2 = lengths[2] - t50;

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out <this folder>
  * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_MACHINE_H
@@ -26,5 +26,11 @@
 
 #define TB_HAS_OBSERVER 0
 #define TB_HAND_FORCE_MEASURED 0
+
+#define TB_TENSION_MIDDLE TB_C(6.5) /* N, middle of the bounds */
+#define TB_TENSION_HALF_RANGE TB_C(3.5) /* N, from the middle to a bound */
+
+#define TB_FRAME_X TB_C(0.506) /* m, side of the frame */
+#define TB_FRAME_Y TB_C(0.284) /* m, side of the frame */
 
 #endif

@@ -1,15 +1,16 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out generated/yoon_fixed_diagonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_diagonal.toml --out <this folder>
  * Machine 7ea279c692dea1e9, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[4])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
     return status;
 }
 
@@ -25,7 +26,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -33,7 +34,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t8 = pose[1] * t2;
     const real_t t9 = t4 * t6;
     const real_t t10 = TB_ABS(t3 * t7 + t8 * t9);
-    const real_t t11 = TB_C(0.284) - pose[1];
+    const real_t t11 = TB_FRAME_Y - pose[1];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -45,15 +46,17 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t18 = t11 * t17;
     const real_t t19 = pose[0] * t17;
     const real_t t20 = TB_ABS(t3 * t18 + t8 * t19);
-    const real_t t21 = TB_C(6.5) * (t14 + (t9 - t3) - t19);
-    const real_t t22 = TB_C(6.5) * (t18 + (t15 - (t7 + t8)));
-    const real_t t23 = TB_C(3.5) * (t10 + t16 + t20) - TB_ABS(t8 * t21 - t3 * t22);
+    const real_t t21 = TB_TENSION_MIDDLE * (t14 + (t9 - t3) - t19);
+    const real_t t22 = TB_TENSION_MIDDLE * (t18 + (t15 - (t7 + t8)));
+    const real_t t23 = TB_TENSION_HALF_RANGE * (t10 + t16 + t20) - TB_ABS(t8 * t21 - t3 * t22);
     const real_t t24 = TB_ABS(t9 * t15 + t7 * t14);
     const real_t t25 = TB_ABS(t9 * t18 - t7 * t19);
-    const real_t t26 = TB_C(3.5) * (t10 + t24 + t25) - TB_ABS(t9 * t22 + t7 * t21);
+    const real_t t26 = TB_TENSION_HALF_RANGE * (t10 + t24 + t25) - TB_ABS(t9 * t22 + t7 * t21);
     const real_t t27 = TB_ABS(t14 * t18 + t15 * t19);
-    const real_t t28 = TB_C(3.5) * (t16 + t24 + t27) - TB_ABS(t14 * t22 - t15 * t21);
-    const real_t t29 = TB_C(3.5) * (t27 + (t20 + t25)) - TB_ABS(t19 * t22 + t18 * t21);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t16 + t24 + t27) - TB_ABS(t14 * t22 - t15 *
+        t21);
+    const real_t t29 = TB_TENSION_HALF_RANGE * (t27 + (t20 + t25)) - TB_ABS(t19 * t22 + t18 *
+        t21);
     const bool t30 = TB_C(0.0) <= tb_min(tb_min(tb_min(t23, t26), t28), t29);
     const bool t31 = !t30;
     const real_t t32 = TB_SQRT(t3 * t3 + t9 * t9 + t14 * t14 + t19 * t19);
@@ -70,7 +73,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t43 = TB_ABS(t42);
     const real_t t44 = TB_C(1.0) / tb_min(t34, t43);
     const real_t t45 = TB_C(30.0) * TB_EPSILON * t44;
-    const real_t t46 = TB_C(3.0) - t45;
+    const real_t t46 = TB_TENSION_MIN - t45;
     const real_t t47 = TB_C(1.0) / (t41 * (t41 + TB_ABS(t38)));
     const real_t t48 = t39 * t47;
     const real_t t49 = TB_C(1.0) - t39 * t48;
@@ -88,10 +91,10 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t61 = t35 * t60;
     const real_t t62 = t9 * t60 - t57;
     const real_t t63 = t54 * t55 + t61 * t62;
-    const real_t t64 = t45 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+    const real_t t64 = t45 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
     const real_t t65 = t64 / tb_max(t54 * t54 + t61 * t61, TB_EPSILON);
     const real_t t66 = t63 * t65;
-    const real_t t67 = t45 + TB_C(10.0);
+    const real_t t67 = t45 + TB_TENSION_MAX;
     const real_t t68 = tb_max(t46 - t66, t66 - t67);
     const bool t69 = TB_C(0.0) < t68;
     const real_t t70 = t14 * t60 - t58;
@@ -109,7 +112,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t82 = t45 * TB_C(1024.0);
     real_t t83, t84, t85, t86, t87;
     if (t69) {
-        const real_t t88 = tb_min(tb_max(t66, TB_C(3.0)), TB_C(10.0));
+        const real_t t88 = tb_min(tb_max(t66, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t89 = TB_C(1.0) / tb_max(t55 * t55 + t62 * t62, TB_EPSILON);
         const real_t t90 = t88 * t89;
         const real_t t91 = t54 * t62 - t55 * t61;
@@ -156,7 +159,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t109 = t70 * t77;
     real_t t110, t111, t112, t113, t114;
     if (t106) {
-        const real_t t115 = tb_min(tb_max(t83, TB_C(3.0)), TB_C(10.0));
+        const real_t t115 = tb_min(tb_max(t83, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t116 = TB_C(1.0) / tb_max(t71 * t71 + t70 * t70, TB_EPSILON);
         const real_t t117 = t115 * t116;
         const bool t118 = TB_ABS(t73) <= t74;
@@ -224,7 +227,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const bool t144 = TB_C(0.0) < t143;
     real_t t145, t146, t147, t148, t149;
     if (t144) {
-        const real_t t150 = tb_min(tb_max(t110, TB_C(3.0)), TB_C(10.0));
+        const real_t t150 = tb_min(tb_max(t110, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t151 = TB_C(1.0) / tb_max(t77 * t77 + t76 * t76, TB_EPSILON);
         const real_t t152 = t150 * t151;
         const real_t t153 = t80 * t152;
@@ -310,14 +313,14 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
         t148 = t110;
         t149 = t114;
     }
-    const real_t t191 = tb_min(tb_max(t145, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_0 = t30 ? t191 : TB_C(3.0);
-    const real_t t192 = tb_min(tb_max(t146, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = t30 ? t192 : TB_C(3.0);
-    const real_t t193 = tb_min(tb_max(t147, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = t30 ? t193 : TB_C(3.0);
-    const real_t t194 = tb_min(tb_max(t148, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = t30 ? t194 : TB_C(3.0);
+    const real_t t191 = tb_min(tb_max(t145, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_0 = t30 ? t191 : TB_TENSION_MIN;
+    const real_t t192 = tb_min(tb_max(t146, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_1 = t30 ? t192 : TB_TENSION_MIN;
+    const real_t t193 = tb_min(tb_max(t147, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_2 = t30 ? t193 : TB_TENSION_MIN;
+    const real_t t194 = tb_min(tb_max(t148, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_3 = t30 ? t194 : TB_TENSION_MIN;
     const bool t195 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t196 = t195 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t197 = !t196;
@@ -360,7 +363,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -368,7 +371,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t8 = pose[1] * t2;
     const real_t t9 = t4 * t6;
     const real_t t10 = TB_ABS(t3 * t7 + t8 * t9);
-    const real_t t11 = TB_C(0.284) - pose[1];
+    const real_t t11 = TB_FRAME_Y - pose[1];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -380,15 +383,17 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t18 = t11 * t17;
     const real_t t19 = pose[0] * t17;
     const real_t t20 = TB_ABS(t3 * t18 + t8 * t19);
-    const real_t t21 = TB_C(6.5) * (t14 + (t9 - t3) - t19);
-    const real_t t22 = TB_C(6.5) * (t18 + (t15 - (t7 + t8)));
-    const real_t t23 = TB_C(3.5) * (t10 + t16 + t20) - TB_ABS(t8 * t21 - t3 * t22);
+    const real_t t21 = TB_TENSION_MIDDLE * (t14 + (t9 - t3) - t19);
+    const real_t t22 = TB_TENSION_MIDDLE * (t18 + (t15 - (t7 + t8)));
+    const real_t t23 = TB_TENSION_HALF_RANGE * (t10 + t16 + t20) - TB_ABS(t8 * t21 - t3 * t22);
     const real_t t24 = TB_ABS(t9 * t15 + t7 * t14);
     const real_t t25 = TB_ABS(t9 * t18 - t7 * t19);
-    const real_t t26 = TB_C(3.5) * (t10 + t24 + t25) - TB_ABS(t9 * t22 + t7 * t21);
+    const real_t t26 = TB_TENSION_HALF_RANGE * (t10 + t24 + t25) - TB_ABS(t9 * t22 + t7 * t21);
     const real_t t27 = TB_ABS(t14 * t18 + t15 * t19);
-    const real_t t28 = TB_C(3.5) * (t16 + t24 + t27) - TB_ABS(t14 * t22 - t15 * t21);
-    const real_t t29 = TB_C(3.5) * (t27 + (t20 + t25)) - TB_ABS(t19 * t22 + t18 * t21);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t16 + t24 + t27) - TB_ABS(t14 * t22 - t15 *
+        t21);
+    const real_t t29 = TB_TENSION_HALF_RANGE * (t27 + (t20 + t25)) - TB_ABS(t19 * t22 + t18 *
+        t21);
     const bool t30 = TB_C(0.0) <= tb_min(tb_min(tb_min(t23, t26), t28), t29);
     const real_t t31 = TB_SQRT(t3 * t3 + t9 * t9 + t14 * t14 + t19 * t19);
     const real_t t32 = TB_COPYSIGN(t31, -t3);
@@ -403,7 +408,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t41 = TB_COPYSIGN(t40, -t37);
     const real_t t42 = TB_ABS(t41);
     const real_t t43 = TB_C(30.0) * TB_EPSILON / tb_min(t33, t42);
-    const real_t t44 = TB_C(3.0) - t43;
+    const real_t t44 = TB_TENSION_MIN - t43;
     const real_t t45 = TB_C(1.0) / (t40 * (t40 + TB_ABS(t37)));
     const real_t t46 = t38 * t45;
     const real_t t47 = TB_C(1.0) - t38 * t46;
@@ -421,10 +426,10 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t59 = t34 * t58;
     const real_t t60 = t9 * t58 - t55;
     const real_t t61 = t52 * t53 + t59 * t60;
-    const real_t t62 = t43 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+    const real_t t62 = t43 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
     const real_t t63 = t62 / tb_max(t52 * t52 + t59 * t59, TB_EPSILON);
     const real_t t64 = t61 * t63;
-    const real_t t65 = t43 + TB_C(10.0);
+    const real_t t65 = t43 + TB_TENSION_MAX;
     const bool t66 = TB_C(0.0) < tb_max(t44 - t64, t64 - t65);
     const real_t t67 = t14 * t58 - t56;
     const real_t t68 = t47 - t14 * t51;
@@ -439,7 +444,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t77 = t59 * t73 - t52 * t74;
     real_t t78, t79, t80, t81;
     if (t66) {
-        const real_t t82 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
+        const real_t t82 = tb_min(tb_max(t64, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t83 = TB_C(1.0) / tb_max(t53 * t53 + t60 * t60, TB_EPSILON);
         const real_t t84 = t82 * t83;
         const real_t t85 = t52 * t60 - t53 * t59;
@@ -473,7 +478,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t97 = t67 * t74;
     real_t t98, t99, t100, t101;
     if (t94) {
-        const real_t t102 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
+        const real_t t102 = tb_min(tb_max(t78, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t103 = TB_C(1.0) / tb_max(t68 * t68 + t67 * t67, TB_EPSILON);
         const real_t t104 = t102 * t103;
         const bool t105 = TB_ABS(t70) <= t71;
@@ -517,7 +522,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const bool t121 = TB_C(0.0) < tb_max(t44 - t98, t98 - t65);
     real_t t122, t123, t124, t125;
     if (t121) {
-        const real_t t126 = tb_min(tb_max(t98, TB_C(3.0)), TB_C(10.0));
+        const real_t t126 = tb_min(tb_max(t98, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t127 = TB_C(1.0) / tb_max(t74 * t74 + t73 * t73, TB_EPSILON);
         const real_t t128 = t126 * t127;
         const real_t t129 = t77 * t128;
@@ -574,10 +579,10 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
         t125 = t98;
     }
     /* T0 */
-    const real_t rest_0 = tb_min(tb_max(t122, TB_C(3.0)), TB_C(10.0));
-    const real_t rest_1 = tb_min(tb_max(t123, TB_C(3.0)), TB_C(10.0));
-    const real_t rest_2 = tb_min(tb_max(t124, TB_C(3.0)), TB_C(10.0));
-    const real_t rest_3 = tb_min(tb_max(t125, TB_C(3.0)), TB_C(10.0));
+    const real_t rest_0 = tb_min(tb_max(t122, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_1 = tb_min(tb_max(t123, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_2 = tb_min(tb_max(t124, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_3 = tb_min(tb_max(t125, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t154 = tb_max(tb_max(tb_max(rest_0, rest_1), rest_2), rest_3);
     real_t factor_0;
     if (t30) {
@@ -619,7 +624,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -627,7 +632,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t8 = pose[1] * t2;
     const real_t t9 = t4 * t6;
     const real_t t10 = TB_ABS(t3 * t7 + t8 * t9);
-    const real_t t11 = TB_C(0.284) - pose[1];
+    const real_t t11 = TB_FRAME_Y - pose[1];
     const real_t t12 = t11 * t11;
     const real_t length_2 = TB_SQRT(t5 + t12);
     const real_t t13 = TB_C(1.0) / length_2;
@@ -639,15 +644,17 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t18 = t11 * t17;
     const real_t t19 = pose[0] * t17;
     const real_t t20 = TB_ABS(t3 * t18 + t8 * t19);
-    const real_t t21 = TB_C(6.5) * (t14 + (t9 - t3) - t19);
-    const real_t t22 = TB_C(6.5) * (t18 + (t15 - (t7 + t8)));
-    const real_t t23 = TB_C(3.5) * (t10 + t16 + t20) - TB_ABS(t8 * t21 - t3 * t22);
+    const real_t t21 = TB_TENSION_MIDDLE * (t14 + (t9 - t3) - t19);
+    const real_t t22 = TB_TENSION_MIDDLE * (t18 + (t15 - (t7 + t8)));
+    const real_t t23 = TB_TENSION_HALF_RANGE * (t10 + t16 + t20) - TB_ABS(t8 * t21 - t3 * t22);
     const real_t t24 = TB_ABS(t9 * t15 + t7 * t14);
     const real_t t25 = TB_ABS(t9 * t18 - t7 * t19);
-    const real_t t26 = TB_C(3.5) * (t10 + t24 + t25) - TB_ABS(t9 * t22 + t7 * t21);
+    const real_t t26 = TB_TENSION_HALF_RANGE * (t10 + t24 + t25) - TB_ABS(t9 * t22 + t7 * t21);
     const real_t t27 = TB_ABS(t14 * t18 + t15 * t19);
-    const real_t t28 = TB_C(3.5) * (t16 + t24 + t27) - TB_ABS(t14 * t22 - t15 * t21);
-    const real_t t29 = TB_C(3.5) * (t27 + (t20 + t25)) - TB_ABS(t19 * t22 + t18 * t21);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t16 + t24 + t27) - TB_ABS(t14 * t22 - t15 *
+        t21);
+    const real_t t29 = TB_TENSION_HALF_RANGE * (t27 + (t20 + t25)) - TB_ABS(t19 * t22 + t18 *
+        t21);
     const real_t t30 = tb_min(tb_min(tb_min(t23, t26), t28), t29);
     const real_t force_0 = tb_max(TB_C(0.0), t30);
     const bool t31 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
@@ -684,7 +691,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -693,7 +700,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t9 = t4 * t6;
     const real_t t10 = t3 * t7 + t8 * t9;
     const real_t t11 = TB_ABS(t10);
-    const real_t t12 = TB_C(0.284) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t t13 = t12 * t12;
     const real_t length_2 = TB_SQRT(t5 + t13);
     const real_t t14 = TB_C(1.0) / length_2;
@@ -707,22 +714,23 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t21 = pose[0] * t19;
     const real_t t22 = t3 * t20 + t8 * t21;
     const real_t t23 = TB_ABS(t22);
-    const real_t t24 = TB_C(6.5) * (t15 + (t9 - t3) - t21);
-    const real_t t25 = TB_C(6.5) * (t20 + (t16 - (t7 + t8)));
+    const real_t t24 = TB_TENSION_MIDDLE * (t15 + (t9 - t3) - t21);
+    const real_t t25 = TB_TENSION_MIDDLE * (t20 + (t16 - (t7 + t8)));
     const real_t t26 = t8 * t24 - t3 * t25;
     const real_t t27 = t9 * t16 + t7 * t15;
     const real_t t28 = TB_ABS(t27);
     const real_t t29 = t9 * t20 - t7 * t21;
     const real_t t30 = TB_ABS(t29);
     const real_t t31 = t9 * t25 + t7 * t24;
-    const real_t t32 = tb_min(TB_C(3.5) * (t11 + t18 + t23) - TB_ABS(t26), TB_C(3.5) * (t11 +
-        t28 + t30) - TB_ABS(t31));
+    const real_t t32 = tb_min(TB_TENSION_HALF_RANGE * (t11 + t18 + t23) - TB_ABS(t26),
+        TB_TENSION_HALF_RANGE * (t11 + t28 + t30) - TB_ABS(t31));
     const real_t t33 = t15 * t20 + t16 * t21;
     const real_t t34 = TB_ABS(t33);
     const real_t t35 = t15 * t25 - t16 * t24;
-    const real_t t36 = tb_min(t32, TB_C(3.5) * (t18 + t28 + t34) - TB_ABS(t35));
+    const real_t t36 = tb_min(t32, TB_TENSION_HALF_RANGE * (t18 + t28 + t34) - TB_ABS(t35));
     const real_t t37 = t21 * t25 + t20 * t24;
-    const real_t margin_0 = tb_min(t36, TB_C(3.5) * (t34 + (t23 + t30)) - TB_ABS(t37));
+    const real_t margin_0 = tb_min(t36, TB_TENSION_HALF_RANGE * (t34 + (t23 + t30)) -
+        TB_ABS(t37));
     const bool t38 = TB_C(0.0) <= margin_0;
     real_t factor_0, t39;
     if (t38) {
@@ -783,9 +791,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 t78 = t79 ? t16 : (t80 ? t65 : t66);
             }
             const real_t t81 = TB_C(1.0) / (t68 * t77 - t67 * t78);
-            const real_t t82 = TB_C(3.0) + t71 * t81;
+            const real_t t82 = TB_TENSION_MIN + t71 * t81;
             const real_t t83 = TB_C(0.46153846153846156) * (t25 * t77 - t24 * t78);
-            const real_t t84 = TB_C(3.0) - t81 * t83;
+            const real_t t84 = TB_TENSION_MIN - t81 * t83;
             const real_t t85 = t81 * (t68 * t82 - t78 * t84);
             const real_t t86 = t81 * (t77 * t84 - t67 * t82);
             t44 = t9 * t85;
@@ -800,13 +808,13 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
             t53 = t86;
         }
         const real_t t87 = t44 + t45;
-        const real_t t88 = tb_min(tb_max(t87, TB_C(3.0)), TB_C(10.0));
+        const real_t t88 = tb_min(tb_max(t87, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t89 = t46 + t47;
-        const real_t t90 = tb_min(tb_max(t89, TB_C(3.0)), TB_C(10.0));
+        const real_t t90 = tb_min(tb_max(t89, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t91 = t48 + t49;
-        const real_t t92 = tb_min(tb_max(t91, TB_C(3.0)), TB_C(10.0));
+        const real_t t92 = tb_min(tb_max(t91, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t93 = t50 + t51;
-        const real_t t94 = tb_min(tb_max(t93, TB_C(3.0)), TB_C(10.0));
+        const real_t t94 = tb_min(tb_max(t93, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t95 = t9 * t88 - t3 * t90 + t15 * t92 - t21 * t94;
         const real_t t96 = t16 * t92 - (t8 * t90 + t7 * t88) + t20 * t94;
         const bool t97 = tb_max(TB_ABS(t95), TB_ABS(t96)) - t41 <= TB_C(0.0);
@@ -817,14 +825,14 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
             t98 = t100;
             t99 = TB_C(0.0);
         } else {
-            const bool t101 = TB_C(3.0) < t89 && t89 < TB_C(10.0);
+            const bool t101 = TB_TENSION_MIN < t89 && t89 < TB_TENSION_MAX;
             const real_t t102 = t3 * t3;
-            const bool t103 = TB_C(3.0) < t87 && t87 < TB_C(10.0);
+            const bool t103 = TB_TENSION_MIN < t87 && t87 < TB_TENSION_MAX;
             const real_t t104 = t9 * t9;
             const real_t t105 = (t101 ? t102 : TB_C(0.0)) + (t103 ? t104 : TB_C(0.0));
-            const bool t106 = TB_C(3.0) < t91 && t91 < TB_C(10.0);
+            const bool t106 = TB_TENSION_MIN < t91 && t91 < TB_TENSION_MAX;
             const real_t t107 = t15 * t15;
-            const bool t108 = TB_C(3.0) < t93 && t93 < TB_C(10.0);
+            const bool t108 = TB_TENSION_MIN < t93 && t93 < TB_TENSION_MAX;
             const real_t t109 = t21 * t21;
             const real_t t110 = t105 + (t106 ? t107 : TB_C(0.0)) + (t108 ? t109 : TB_C(0.0));
             const real_t t111 = TB_C(1.0) / t110;
@@ -840,10 +848,14 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
             const real_t t120 = (t96 - t95 * t117) / (t119 - t110 * (t117 * t117));
             const real_t t121 = t52 - (t95 * t111 - t117 * t120);
             const real_t t122 = t53 - t120;
-            const real_t t123 = tb_min(tb_max(t9 * t121 - t7 * t122, TB_C(3.0)), TB_C(10.0));
-            const real_t t124 = tb_min(tb_max(-(t3 * t121 + t8 * t122), TB_C(3.0)), TB_C(10.0));
-            const real_t t125 = tb_min(tb_max(t15 * t121 + t16 * t122, TB_C(3.0)), TB_C(10.0));
-            const real_t t126 = tb_min(tb_max(t20 * t122 - t21 * t121, TB_C(3.0)), TB_C(10.0));
+            const real_t t123 = tb_min(tb_max(t9 * t121 - t7 * t122, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t124 = tb_min(tb_max(-(t3 * t121 + t8 * t122), TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t125 = tb_min(tb_max(t15 * t121 + t16 * t122, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t126 = tb_min(tb_max(t20 * t122 - t21 * t121, TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t127 = TB_ABS(t9 * t123 - t3 * t124 + t15 * t125 - t21 * t126);
             const real_t t128 = t16 * t125 - (t8 * t124 + t7 * t123) + t20 * t126;
             const bool t129 = tb_max(t127, TB_ABS(t128)) - t41 <= TB_C(0.0);
@@ -866,7 +878,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t142 = TB_COPYSIGN(t141, -t138);
                 const real_t t143 = TB_C(1.0) / tb_min(TB_ABS(t134), TB_ABS(t142));
                 const real_t t144 = TB_EPSILON * TB_C(30.0) * t143;
-                const real_t t145 = TB_C(3.0) - t144;
+                const real_t t145 = TB_TENSION_MIN - t144;
                 const real_t t146 = TB_C(1.0) / (t141 * (t141 + TB_ABS(t138)));
                 const real_t t147 = t139 * t146;
                 const real_t t148 = TB_C(1.0) - t139 * t147;
@@ -884,10 +896,10 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t160 = t135 * t159;
                 const real_t t161 = t9 * t159 - t156;
                 const real_t t162 = t153 * t154 + t160 * t161;
-                const real_t t163 = t144 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+                const real_t t163 = t144 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
                 const real_t t164 = t163 / tb_max(t153 * t153 + t160 * t160, TB_EPSILON);
                 const real_t t165 = t162 * t164;
-                const real_t t166 = TB_C(10.0) + t144;
+                const real_t t166 = TB_TENSION_MAX + t144;
                 const real_t t167 = tb_max(t145 - t165, t165 - t166);
                 const bool t168 = TB_C(0.0) < t167;
                 const real_t t169 = t15 * t159 - t157;
@@ -905,7 +917,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t181 = t144 * TB_C(1024.0);
                 real_t t182, t183, t184, t185, t186;
                 if (t168) {
-                    const real_t t187 = tb_min(tb_max(t165, TB_C(3.0)), TB_C(10.0));
+                    const real_t t187 = tb_min(tb_max(t165, TB_TENSION_MIN), TB_TENSION_MAX);
                     const real_t t188 = TB_C(1.0) / tb_max(t154 * t154 + t161 * t161,
                         TB_EPSILON);
                     const real_t t189 = t187 * t188;
@@ -955,7 +967,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t208 = t169 * t176;
                 real_t t209, t210, t211, t212, t213;
                 if (t205) {
-                    const real_t t214 = tb_min(tb_max(t182, TB_C(3.0)), TB_C(10.0));
+                    const real_t t214 = tb_min(tb_max(t182, TB_TENSION_MIN), TB_TENSION_MAX);
                     const real_t t215 = TB_C(1.0) / tb_max(t170 * t170 + t169 * t169,
                         TB_EPSILON);
                     const real_t t216 = t214 * t215;
@@ -1025,7 +1037,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const bool t243 = TB_C(0.0) < t242;
                 real_t t244, t245, t246, t247, t248;
                 if (t243) {
-                    const real_t t249 = tb_min(tb_max(t209, TB_C(3.0)), TB_C(10.0));
+                    const real_t t249 = tb_min(tb_max(t209, TB_TENSION_MIN), TB_TENSION_MAX);
                     const real_t t250 = TB_C(1.0) / tb_max(t176 * t176 + t175 * t175,
                         TB_EPSILON);
                     const real_t t251 = t249 * t250;
@@ -1115,10 +1127,10 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                     t247 = t209;
                     t248 = t213;
                 }
-                const real_t t290 = tb_min(tb_max(t244, TB_C(3.0)), TB_C(10.0));
-                const real_t t291 = tb_min(tb_max(t245, TB_C(3.0)), TB_C(10.0));
-                const real_t t292 = tb_min(tb_max(t246, TB_C(3.0)), TB_C(10.0));
-                const real_t t293 = tb_min(tb_max(t247, TB_C(3.0)), TB_C(10.0));
+                const real_t t290 = tb_min(tb_max(t244, TB_TENSION_MIN), TB_TENSION_MAX);
+                const real_t t291 = tb_min(tb_max(t245, TB_TENSION_MIN), TB_TENSION_MAX);
+                const real_t t292 = tb_min(tb_max(t246, TB_TENSION_MIN), TB_TENSION_MAX);
+                const real_t t293 = tb_min(tb_max(t247, TB_TENSION_MIN), TB_TENSION_MAX);
                 const real_t t294 = tb_min(tb_min(tb_min(t290, t291), t292), t293) /
                     tb_max(tb_max(tb_max(t290, t291), t292), t293);
                 const real_t t295 = TB_ABS(t9 * t291 - t3 * t290 + t15 * t292 - t21 * t293);
@@ -1177,7 +1189,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t length_0 = TB_SQRT(t0 + t1);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = pose[0] * t2;
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t1 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
@@ -1186,7 +1198,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t9 = t4 * t6;
     const real_t t10 = t3 * t7 + t8 * t9;
     const real_t t11 = TB_ABS(t10);
-    const real_t t12 = TB_C(0.284) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t t13 = t12 * t12;
     const real_t length_2 = TB_SQRT(t5 + t13);
     const real_t t14 = TB_C(1.0) / length_2;
@@ -1202,20 +1214,22 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t23 = pose[0] * t21;
     const real_t t24 = t3 * t22 + t8 * t23;
     const real_t t25 = TB_ABS(t24);
-    const real_t t26 = TB_C(6.5) * (t15 + (t9 - t3) - t23);
-    const real_t t27 = TB_C(6.5) * (t22 + (t17 - (t7 + t8)));
-    const real_t t28 = TB_C(3.5) * (t11 + t20 + t25) - TB_ABS(t8 * t26 - t3 * t27);
+    const real_t t26 = TB_TENSION_MIDDLE * (t15 + (t9 - t3) - t23);
+    const real_t t27 = TB_TENSION_MIDDLE * (t22 + (t17 - (t7 + t8)));
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t11 + t20 + t25) - TB_ABS(t8 * t26 - t3 * t27);
     const real_t t29 = t9 * t17 + t7 * t15;
     const real_t t30 = TB_ABS(t29);
     const real_t t31 = t9 * t22;
     const real_t t32 = t7 * t23;
     const real_t t33 = t31 - t32;
     const real_t t34 = TB_ABS(t33);
-    const real_t t35 = TB_C(3.5) * (t11 + t30 + t34) - TB_ABS(t9 * t27 + t7 * t26);
+    const real_t t35 = TB_TENSION_HALF_RANGE * (t11 + t30 + t34) - TB_ABS(t9 * t27 + t7 * t26);
     const real_t t36 = t15 * t22 + t17 * t23;
     const real_t t37 = TB_ABS(t36);
-    const real_t t38 = TB_C(3.5) * (t20 + t30 + t37) - TB_ABS(t15 * t27 - t17 * t26);
-    const real_t t39 = TB_C(3.5) * (t37 + (t25 + t34)) - TB_ABS(t23 * t27 + t22 * t26);
+    const real_t t38 = TB_TENSION_HALF_RANGE * (t20 + t30 + t37) - TB_ABS(t15 * t27 - t17 *
+        t26);
+    const real_t t39 = TB_TENSION_HALF_RANGE * (t37 + (t25 + t34)) - TB_ABS(t23 * t27 + t22 *
+        t26);
     const bool t40 = TB_C(0.0) <= tb_min(tb_min(tb_min(t28, t35), t38), t39);
     const real_t t41 = TB_SQRT(t3 * t3 + t9 * t9 + t15 * t15 + t23 * t23);
     const real_t t42 = TB_COPYSIGN(t41, -t3);
@@ -1242,7 +1256,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t61 = TB_C(0.0) < t60;
         const bool t62 = (t53 || (TB_C(0.0) <= t10 && t54)) && !((t55 && t57) || (t59 && t61));
         const real_t t63 = TB_C(30.0) * TB_EPSILON / tb_min(t43, t52);
-        const real_t t64 = TB_C(3.0) - t63;
+        const real_t t64 = TB_TENSION_MIN - t63;
         const real_t t65 = TB_C(1.0) / (t50 * (t50 + TB_ABS(t47)));
         const real_t t66 = t48 * t65;
         const real_t t67 = TB_C(1.0) - t48 * t66;
@@ -1260,10 +1274,10 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t79 = t44 * t78;
         const real_t t80 = t9 * t78 - t75;
         const real_t t81 = t72 * t73 + t79 * t80;
-        const real_t t82 = t63 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+        const real_t t82 = t63 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
         const real_t t83 = t82 / tb_max(t72 * t72 + t79 * t79, TB_EPSILON);
         const real_t t84 = t81 * t83;
-        const real_t t85 = TB_C(10.0) + t63;
+        const real_t t85 = TB_TENSION_MAX + t63;
         const bool t86 = TB_C(0.0) < tb_max(t64 - t84, t84 - t85);
         const real_t t87 = t15 * t78 - t76;
         const real_t t88 = t67 - t15 * t71;
@@ -1278,7 +1292,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t97 = t79 * t93 - t72 * t94;
         real_t t98, t99, t100, t101;
         if (t86) {
-            const real_t t102 = tb_min(tb_max(t84, TB_C(3.0)), TB_C(10.0));
+            const real_t t102 = tb_min(tb_max(t84, TB_TENSION_MIN), TB_TENSION_MAX);
             const real_t t103 = TB_C(1.0) / tb_max(t73 * t73 + t80 * t80, TB_EPSILON);
             const real_t t104 = t102 * t103;
             const real_t t105 = t72 * t80 - t73 * t79;
@@ -1312,7 +1326,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t117 = t87 * t94;
         real_t t118, t119, t120, t121;
         if (t114) {
-            const real_t t122 = tb_min(tb_max(t98, TB_C(3.0)), TB_C(10.0));
+            const real_t t122 = tb_min(tb_max(t98, TB_TENSION_MIN), TB_TENSION_MAX);
             const real_t t123 = TB_C(1.0) / tb_max(t88 * t88 + t87 * t87, TB_EPSILON);
             const real_t t124 = t122 * t123;
             const bool t125 = TB_ABS(t90) <= t91;
@@ -1357,7 +1371,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t141 = TB_C(0.0) < tb_max(t64 - t118, t118 - t85);
         real_t t142, t143, t144, t145;
         if (t141) {
-            const real_t t146 = tb_min(tb_max(t118, TB_C(3.0)), TB_C(10.0));
+            const real_t t146 = tb_min(tb_max(t118, TB_TENSION_MIN), TB_TENSION_MAX);
             const real_t t147 = TB_C(1.0) / tb_max(t94 * t94 + t93 * t93, TB_EPSILON);
             const real_t t148 = t146 * t147;
             const real_t t149 = t97 * t148;
@@ -1414,8 +1428,10 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
             t145 = t118;
         }
         /* t_i = T_max - T0_i */
-        const real_t margin_0 = TB_C(10.0) - tb_min(tb_max(t142, TB_C(3.0)), TB_C(10.0));
-        const real_t margin_1 = TB_C(10.0) - tb_min(tb_max(t143, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_0 = TB_TENSION_MAX - tb_min(tb_max(t142, TB_TENSION_MIN),
+            TB_TENSION_MAX);
+        const real_t margin_1 = TB_TENSION_MAX - tb_min(tb_max(t143, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t174 = tb_min(margin_0, margin_1);
         const bool t175 = -(t3 * t15 + t8 * t17) < TB_C(0.0);
         const bool t176 = TB_C(0.0) < t29;
@@ -1423,7 +1439,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t178 = TB_C(0.0) < t177;
         const bool t179 = (t55 || (TB_C(0.0) <= t19 && t175)) && !((t53 && t176) || (t59 &&
             t178));
-        const real_t margin_2 = TB_C(10.0) - tb_min(tb_max(t144, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_2 = TB_TENSION_MAX - tb_min(tb_max(t144, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t180 = tb_min(margin_0, margin_2);
         const real_t t181 = tb_min(t62 ? (t54 ? t10 * t174 : t174) : TB_C(1e+30), t179 ? (t175
             ? t19 * t180 : t180) : TB_C(1e+30));
@@ -1432,7 +1449,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t184 = TB_C(0.0) < t36;
         const bool t185 = (t59 || (TB_C(0.0) <= t58 && t182)) && !((t53 && t183) || (t55 &&
             t184));
-        const real_t margin_3 = TB_C(10.0) - tb_min(tb_max(t145, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_3 = TB_TENSION_MAX - tb_min(tb_max(t145, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t186 = tb_min(margin_0, margin_3);
         const real_t t187 = t185 ? (t182 ? -(t24 * t186) : t186) : TB_C(1e+30);
         const real_t t188 = -t10;

@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out <this folder>
  * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
 {
@@ -13,10 +14,10 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
         torque[3] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
-    const real_t torque_3 = TB_C(0.005) * tension[3];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
+    const real_t torque_3 = TB_DRUM_RADIUS * tension[3];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;
@@ -40,10 +41,10 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 /* Refuses with a status: load is 3 N. */
 static tb_status tb_refuse_load_tension(tb_status status, real_t load[4])
 {
-    load[0] = TB_C(3.0);
-    load[1] = TB_C(3.0);
-    load[2] = TB_C(3.0);
-    load[3] = TB_C(3.0);
+    load[0] = TB_TENSION_MIN;
+    load[1] = TB_TENSION_MIN;
+    load[2] = TB_TENSION_MIN;
+    load[3] = TB_TENSION_MIN;
     return status;
 }
 

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out <this folder>
  * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_CONTROL_H

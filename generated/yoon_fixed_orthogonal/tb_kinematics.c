@@ -1,17 +1,18 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out <this folder>
  * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[1], real_t points[8])
 {
     (void)rails;
     points[0] = TB_C(0.253);
     points[1] = TB_C(0.0);
-    points[2] = TB_C(0.506);
+    points[2] = TB_FRAME_X;
     points[3] = TB_C(0.142);
     points[4] = TB_C(0.253);
-    points[5] = TB_C(0.284);
+    points[5] = TB_FRAME_Y;
     points[6] = TB_C(0.0);
     points[7] = TB_C(0.142);
     return TB_OK;
@@ -33,9 +34,9 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[1], real_t v
     }
     const real_t vectors_0 = TB_C(0.253) - pose[0];
     const real_t vectors_1 = -pose[1];
-    const real_t vectors_2 = TB_C(0.506) - pose[0];
+    const real_t vectors_2 = TB_FRAME_X - pose[0];
     const real_t vectors_3 = TB_C(0.142) - pose[1];
-    const real_t vectors_5 = TB_C(0.284) - pose[1];
+    const real_t vectors_5 = TB_FRAME_Y - pose[1];
     const real_t vectors_6 = -pose[0];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
@@ -67,11 +68,11 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[1], real_t l
     const real_t t0 = TB_C(0.253) - pose[0];
     const real_t t1 = t0 * t0;
     const real_t length_0 = TB_SQRT(t1 + pose[1] * pose[1]);
-    const real_t t2 = TB_C(0.506) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t t3 = TB_C(0.142) - pose[1];
     const real_t t4 = t3 * t3;
     const real_t length_1 = TB_SQRT(t2 * t2 + t4);
-    const real_t t5 = TB_C(0.284) - pose[1];
+    const real_t t5 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t5 * t5);
     const real_t length_3 = TB_SQRT(t4 + pose[0] * pose[0]);
     const bool t6 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
@@ -113,13 +114,13 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[1], real_
     const real_t length_0 = TB_SQRT(t1 + pose[1] * pose[1]);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t structure_0 = t0 * t2;
-    const real_t t3 = TB_C(0.506) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = TB_C(0.142) - pose[1];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t3 * t3 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
     const real_t structure_1 = t3 * t6;
-    const real_t t7 = TB_C(0.284) - pose[1];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t structure_2 = t0 * t8;
@@ -174,14 +175,14 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t jacobian_0 = -(t0 * t2);
     const real_t jacobian_1 = pose[1] * t2;
-    const real_t t3 = TB_C(0.506) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = TB_C(0.142) - pose[1];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t3 * t3 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t3 * t6);
     const real_t jacobian_3 = -(t4 * t6);
-    const real_t t7 = TB_C(0.284) - pose[1];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t jacobian_4 = -(t0 * t8);
@@ -231,13 +232,13 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t length_0 = TB_SQRT(t1 + pose[1] * pose[1]);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = TB_C(0.142) - pose[1];
     const real_t t6 = t5 * t5;
     const real_t length_1 = TB_SQRT(t4 * t4 + t6);
     const real_t t7 = TB_C(1.0) / length_1;
     const real_t t8 = t4 * t7;
-    const real_t t9 = TB_C(0.284) - pose[1];
+    const real_t t9 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t9 * t9);
     const real_t t10 = TB_C(1.0) / length_2;
     const real_t t11 = t0 * t10;
@@ -299,7 +300,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t6 = t5 * TB_C(0.5) * TB_C(7.811401521661017);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = TB_C(0.253) + t6;
-    const real_t t7 = TB_C(0.506) - start_0;
+    const real_t t7 = TB_FRAME_X - start_0;
     const real_t t8 = -TB_C(0.142) * (t1 - t4) + TB_C(0.142) * (t2 - t4);
     const real_t t9 = TB_C(0.5) * t8 * TB_C(24.79666732791113);
     const real_t t10 = t9 * t9;
@@ -314,7 +315,7 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t15 = TB_C(1.0) / distance_0;
     const real_t t16 = t6 * t15;
     const real_t t17 = distance_0 - lengths[0];
-    const real_t t18 = TB_C(0.284) - start_1;
+    const real_t t18 = TB_FRAME_Y - start_1;
     const real_t distance_2 = TB_SQRT(t14 + t18 * t18);
     const real_t t19 = TB_C(1.0) / distance_2;
     const real_t t20 = t6 * t19;
@@ -341,12 +342,12 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], 
     const real_t t38 = TB_SQRT(t37 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t38;
-    const real_t t39 = TB_C(0.506) - pose_0;
+    const real_t t39 = TB_FRAME_X - pose_0;
     const real_t t40 = TB_C(0.142) - pose_1;
     const real_t t41 = t40 * t40;
     const real_t t42 = TB_SQRT(t39 * t39 + t41);
     const real_t misfit_1 = lengths[1] - t42;
-    const real_t t43 = TB_C(0.284) - pose_1;
+    const real_t t43 = TB_FRAME_Y - pose_1;
     const real_t t44 = TB_SQRT(t37 + t43 * t43);
     const real_t misfit_2 = lengths[2] - t44;
     const real_t t45 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
@@ -412,7 +413,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t6 = t5 * TB_C(0.5) * TB_C(7.811401521661017);
     /* differences of squared lengths are linear in the pose */
     const real_t start_0 = TB_C(0.253) + t6;
-    const real_t t7 = TB_C(0.506) - start_0;
+    const real_t t7 = TB_FRAME_X - start_0;
     const real_t t8 = -TB_C(0.142) * (t1 - t4) + TB_C(0.142) * (t2 - t4);
     const real_t t9 = TB_C(0.5) * t8 * TB_C(24.79666732791113);
     const real_t t10 = t9 * t9;
@@ -427,7 +428,7 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t15 = TB_C(1.0) / distance_0;
     const real_t t16 = t6 * t15;
     const real_t t17 = distance_0 - lengths[0];
-    const real_t t18 = TB_C(0.284) - start_1;
+    const real_t t18 = TB_FRAME_Y - start_1;
     const real_t distance_2 = TB_SQRT(t14 + t18 * t18);
     const real_t t19 = TB_C(1.0) / distance_2;
     const real_t t20 = t6 * t19;
@@ -454,12 +455,12 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[1],
     const real_t t38 = TB_SQRT(t37 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t38;
-    const real_t t39 = TB_C(0.506) - pose_0;
+    const real_t t39 = TB_FRAME_X - pose_0;
     const real_t t40 = TB_C(0.142) - pose_1;
     const real_t t41 = t40 * t40;
     const real_t t42 = TB_SQRT(t39 * t39 + t41);
     const real_t misfit_1 = lengths[1] - t42;
-    const real_t t43 = TB_C(0.284) - pose_1;
+    const real_t t43 = TB_FRAME_Y - pose_1;
     const real_t t44 = TB_SQRT(t37 + t43 * t43);
     const real_t misfit_2 = lengths[2] - t44;
     const real_t t45 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;

@@ -1,15 +1,16 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out <this folder>
  * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_quality.h"
+#include "tb_machine.h"
 
 /* Refuses with a status: tension is 3 N. */
 static tb_status tb_refuse_zero_wrench_tension(tb_status status, real_t tension[4])
 {
-    tension[0] = TB_C(3.0);
-    tension[1] = TB_C(3.0);
-    tension[2] = TB_C(3.0);
-    tension[3] = TB_C(3.0);
+    tension[0] = TB_TENSION_MIN;
+    tension[1] = TB_TENSION_MIN;
+    tension[2] = TB_TENSION_MIN;
+    tension[3] = TB_TENSION_MIN;
     return status;
 }
 
@@ -26,7 +27,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
     const real_t t4 = TB_C(0.142) - pose[1];
-    const real_t t5 = TB_C(0.506) - pose[0];
+    const real_t t5 = TB_FRAME_X - pose[0];
     const real_t t6 = t4 * t4;
     const real_t length_1 = TB_SQRT(t5 * t5 + t6);
     const real_t t7 = TB_C(1.0) / length_1;
@@ -34,7 +35,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t9 = pose[1] * t2;
     const real_t t10 = t5 * t7;
     const real_t t11 = TB_ABS(t3 * t8 + t9 * t10);
-    const real_t t12 = TB_C(0.284) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t12 * t12);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t12 * t13;
@@ -45,15 +46,17 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t18 = t4 * t17;
     const real_t t19 = pose[0] * t17;
     const real_t t20 = TB_ABS(t3 * t18 - t9 * t19);
-    const real_t t21 = TB_C(6.5) * (t18 + (t14 + (t8 - t9)));
-    const real_t t22 = TB_C(6.5) * (t15 + (t3 + t10) - t19);
-    const real_t t23 = TB_C(3.5) * (t11 + t16 + t20) - TB_ABS(t3 * t21 + t9 * t22);
+    const real_t t21 = TB_TENSION_MIDDLE * (t18 + (t14 + (t8 - t9)));
+    const real_t t22 = TB_TENSION_MIDDLE * (t15 + (t3 + t10) - t19);
+    const real_t t23 = TB_TENSION_HALF_RANGE * (t11 + t16 + t20) - TB_ABS(t3 * t21 + t9 * t22);
     const real_t t24 = TB_ABS(t10 * t14 - t8 * t15);
     const real_t t25 = TB_ABS(t10 * t18 + t8 * t19);
-    const real_t t26 = TB_C(3.5) * (t11 + t24 + t25) - TB_ABS(t10 * t21 - t8 * t22);
+    const real_t t26 = TB_TENSION_HALF_RANGE * (t11 + t24 + t25) - TB_ABS(t10 * t21 - t8 * t22);
     const real_t t27 = TB_ABS(t15 * t18 + t14 * t19);
-    const real_t t28 = TB_C(3.5) * (t16 + t24 + t27) - TB_ABS(t15 * t21 - t14 * t22);
-    const real_t t29 = TB_C(3.5) * (t27 + (t20 + t25)) - TB_ABS(t19 * t21 + t18 * t22);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t16 + t24 + t27) - TB_ABS(t15 * t21 - t14 *
+        t22);
+    const real_t t29 = TB_TENSION_HALF_RANGE * (t27 + (t20 + t25)) - TB_ABS(t19 * t21 + t18 *
+        t22);
     const bool t30 = TB_C(0.0) <= tb_min(tb_min(tb_min(t23, t26), t28), t29);
     const bool t31 = !t30;
     const real_t t32 = TB_SQRT(t3 * t3 + t10 * t10 + t15 * t15 + t19 * t19);
@@ -70,7 +73,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t43 = TB_ABS(t42);
     const real_t t44 = TB_C(1.0) / tb_min(t34, t43);
     const real_t t45 = TB_C(30.0) * TB_EPSILON * t44;
-    const real_t t46 = TB_C(3.0) - t45;
+    const real_t t46 = TB_TENSION_MIN - t45;
     const real_t t47 = TB_C(1.0) / (t41 * (t41 + TB_ABS(t38)));
     const real_t t48 = t39 * t47;
     const real_t t49 = TB_C(1.0) - t39 * t48;
@@ -88,10 +91,10 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t61 = t35 * t60;
     const real_t t62 = t10 * t60 - t57;
     const real_t t63 = t54 * t55 + t61 * t62;
-    const real_t t64 = t45 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+    const real_t t64 = t45 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
     const real_t t65 = t64 / tb_max(t54 * t54 + t61 * t61, TB_EPSILON);
     const real_t t66 = t63 * t65;
-    const real_t t67 = t45 + TB_C(10.0);
+    const real_t t67 = t45 + TB_TENSION_MAX;
     const real_t t68 = tb_max(t46 - t66, t66 - t67);
     const bool t69 = TB_C(0.0) < t68;
     const real_t t70 = t15 * t60 - t58;
@@ -109,7 +112,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t82 = t45 * TB_C(1024.0);
     real_t t83, t84, t85, t86, t87;
     if (t69) {
-        const real_t t88 = tb_min(tb_max(t66, TB_C(3.0)), TB_C(10.0));
+        const real_t t88 = tb_min(tb_max(t66, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t89 = TB_C(1.0) / tb_max(t55 * t55 + t62 * t62, TB_EPSILON);
         const real_t t90 = t88 * t89;
         const real_t t91 = t54 * t62 - t55 * t61;
@@ -156,7 +159,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const real_t t109 = t70 * t77;
     real_t t110, t111, t112, t113, t114;
     if (t106) {
-        const real_t t115 = tb_min(tb_max(t83, TB_C(3.0)), TB_C(10.0));
+        const real_t t115 = tb_min(tb_max(t83, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t116 = TB_C(1.0) / tb_max(t71 * t71 + t70 * t70, TB_EPSILON);
         const real_t t117 = t115 * t116;
         const bool t118 = TB_ABS(t73) <= t74;
@@ -224,7 +227,7 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
     const bool t144 = TB_C(0.0) < t143;
     real_t t145, t146, t147, t148, t149;
     if (t144) {
-        const real_t t150 = tb_min(tb_max(t110, TB_C(3.0)), TB_C(10.0));
+        const real_t t150 = tb_min(tb_max(t110, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t151 = TB_C(1.0) / tb_max(t77 * t77 + t76 * t76, TB_EPSILON);
         const real_t t152 = t150 * t151;
         const real_t t153 = t80 * t152;
@@ -310,14 +313,14 @@ tb_status tb_zero_wrench_tension(const real_t pose[2], const real_t rails[1], re
         t148 = t110;
         t149 = t114;
     }
-    const real_t t191 = tb_min(tb_max(t145, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_0 = t30 ? t191 : TB_C(3.0);
-    const real_t t192 = tb_min(tb_max(t146, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_1 = t30 ? t192 : TB_C(3.0);
-    const real_t t193 = tb_min(tb_max(t147, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_2 = t30 ? t193 : TB_C(3.0);
-    const real_t t194 = tb_min(tb_max(t148, TB_C(3.0)), TB_C(10.0));
-    const real_t tension_3 = t30 ? t194 : TB_C(3.0);
+    const real_t t191 = tb_min(tb_max(t145, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_0 = t30 ? t191 : TB_TENSION_MIN;
+    const real_t t192 = tb_min(tb_max(t146, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_1 = t30 ? t192 : TB_TENSION_MIN;
+    const real_t t193 = tb_min(tb_max(t147, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_2 = t30 ? t193 : TB_TENSION_MIN;
+    const real_t t194 = tb_min(tb_max(t148, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t tension_3 = t30 ? t194 : TB_TENSION_MIN;
     const bool t195 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
     const bool t196 = t195 && TB_C(0.0001) < length_2 && TB_C(0.0001) < length_3;
     const bool t197 = !t196;
@@ -360,7 +363,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
     const real_t t4 = TB_C(0.142) - pose[1];
-    const real_t t5 = TB_C(0.506) - pose[0];
+    const real_t t5 = TB_FRAME_X - pose[0];
     const real_t t6 = t4 * t4;
     const real_t length_1 = TB_SQRT(t5 * t5 + t6);
     const real_t t7 = TB_C(1.0) / length_1;
@@ -368,7 +371,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t9 = pose[1] * t2;
     const real_t t10 = t5 * t7;
     const real_t t11 = TB_ABS(t3 * t8 + t9 * t10);
-    const real_t t12 = TB_C(0.284) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t12 * t12);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t12 * t13;
@@ -379,15 +382,17 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t18 = t4 * t17;
     const real_t t19 = pose[0] * t17;
     const real_t t20 = TB_ABS(t3 * t18 - t9 * t19);
-    const real_t t21 = TB_C(6.5) * (t18 + (t14 + (t8 - t9)));
-    const real_t t22 = TB_C(6.5) * (t15 + (t3 + t10) - t19);
-    const real_t t23 = TB_C(3.5) * (t11 + t16 + t20) - TB_ABS(t3 * t21 + t9 * t22);
+    const real_t t21 = TB_TENSION_MIDDLE * (t18 + (t14 + (t8 - t9)));
+    const real_t t22 = TB_TENSION_MIDDLE * (t15 + (t3 + t10) - t19);
+    const real_t t23 = TB_TENSION_HALF_RANGE * (t11 + t16 + t20) - TB_ABS(t3 * t21 + t9 * t22);
     const real_t t24 = TB_ABS(t10 * t14 - t8 * t15);
     const real_t t25 = TB_ABS(t10 * t18 + t8 * t19);
-    const real_t t26 = TB_C(3.5) * (t11 + t24 + t25) - TB_ABS(t10 * t21 - t8 * t22);
+    const real_t t26 = TB_TENSION_HALF_RANGE * (t11 + t24 + t25) - TB_ABS(t10 * t21 - t8 * t22);
     const real_t t27 = TB_ABS(t15 * t18 + t14 * t19);
-    const real_t t28 = TB_C(3.5) * (t16 + t24 + t27) - TB_ABS(t15 * t21 - t14 * t22);
-    const real_t t29 = TB_C(3.5) * (t27 + (t20 + t25)) - TB_ABS(t19 * t21 + t18 * t22);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t16 + t24 + t27) - TB_ABS(t15 * t21 - t14 *
+        t22);
+    const real_t t29 = TB_TENSION_HALF_RANGE * (t27 + (t20 + t25)) - TB_ABS(t19 * t21 + t18 *
+        t22);
     const bool t30 = TB_C(0.0) <= tb_min(tb_min(tb_min(t23, t26), t28), t29);
     const real_t t31 = TB_SQRT(t3 * t3 + t10 * t10 + t15 * t15 + t19 * t19);
     const real_t t32 = TB_COPYSIGN(t31, t3);
@@ -402,7 +407,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t41 = TB_COPYSIGN(t40, t37);
     const real_t t42 = TB_ABS(t41);
     const real_t t43 = TB_C(30.0) * TB_EPSILON / tb_min(t33, t42);
-    const real_t t44 = TB_C(3.0) - t43;
+    const real_t t44 = TB_TENSION_MIN - t43;
     const real_t t45 = TB_C(1.0) / (t40 * (t40 + TB_ABS(t37)));
     const real_t t46 = t38 * t45;
     const real_t t47 = TB_C(1.0) - t38 * t46;
@@ -420,10 +425,10 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t59 = t34 * t58;
     const real_t t60 = t10 * t58 - t55;
     const real_t t61 = t52 * t53 + t59 * t60;
-    const real_t t62 = t43 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+    const real_t t62 = t43 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
     const real_t t63 = t62 / tb_max(t52 * t52 + t59 * t59, TB_EPSILON);
     const real_t t64 = t61 * t63;
-    const real_t t65 = t43 + TB_C(10.0);
+    const real_t t65 = t43 + TB_TENSION_MAX;
     const bool t66 = TB_C(0.0) < tb_max(t44 - t64, t64 - t65);
     const real_t t67 = t15 * t58 - t56;
     const real_t t68 = t47 - t15 * t51;
@@ -438,7 +443,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t77 = t59 * t73 - t52 * t74;
     real_t t78, t79, t80, t81;
     if (t66) {
-        const real_t t82 = tb_min(tb_max(t64, TB_C(3.0)), TB_C(10.0));
+        const real_t t82 = tb_min(tb_max(t64, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t83 = TB_C(1.0) / tb_max(t53 * t53 + t60 * t60, TB_EPSILON);
         const real_t t84 = t82 * t83;
         const real_t t85 = t52 * t60 - t53 * t59;
@@ -472,7 +477,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const real_t t97 = t67 * t74;
     real_t t98, t99, t100, t101;
     if (t94) {
-        const real_t t102 = tb_min(tb_max(t78, TB_C(3.0)), TB_C(10.0));
+        const real_t t102 = tb_min(tb_max(t78, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t103 = TB_C(1.0) / tb_max(t68 * t68 + t67 * t67, TB_EPSILON);
         const real_t t104 = t102 * t103;
         const bool t105 = TB_ABS(t70) <= t71;
@@ -516,7 +521,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
     const bool t121 = TB_C(0.0) < tb_max(t44 - t98, t98 - t65);
     real_t t122, t123, t124, t125;
     if (t121) {
-        const real_t t126 = tb_min(tb_max(t98, TB_C(3.0)), TB_C(10.0));
+        const real_t t126 = tb_min(tb_max(t98, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t127 = TB_C(1.0) / tb_max(t74 * t74 + t73 * t73, TB_EPSILON);
         const real_t t128 = t126 * t127;
         const real_t t129 = t77 * t128;
@@ -573,10 +578,10 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[1], real_t 
         t125 = t98;
     }
     /* T0 */
-    const real_t rest_0 = tb_min(tb_max(t122, TB_C(3.0)), TB_C(10.0));
-    const real_t rest_1 = tb_min(tb_max(t123, TB_C(3.0)), TB_C(10.0));
-    const real_t rest_2 = tb_min(tb_max(t124, TB_C(3.0)), TB_C(10.0));
-    const real_t rest_3 = tb_min(tb_max(t125, TB_C(3.0)), TB_C(10.0));
+    const real_t rest_0 = tb_min(tb_max(t122, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_1 = tb_min(tb_max(t123, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_2 = tb_min(tb_max(t124, TB_TENSION_MIN), TB_TENSION_MAX);
+    const real_t rest_3 = tb_min(tb_max(t125, TB_TENSION_MIN), TB_TENSION_MAX);
     const real_t t154 = tb_max(tb_max(tb_max(rest_0, rest_1), rest_2), rest_3);
     real_t factor_0;
     if (t30) {
@@ -619,7 +624,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
     const real_t t4 = TB_C(0.142) - pose[1];
-    const real_t t5 = TB_C(0.506) - pose[0];
+    const real_t t5 = TB_FRAME_X - pose[0];
     const real_t t6 = t4 * t4;
     const real_t length_1 = TB_SQRT(t5 * t5 + t6);
     const real_t t7 = TB_C(1.0) / length_1;
@@ -627,7 +632,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t9 = pose[1] * t2;
     const real_t t10 = t5 * t7;
     const real_t t11 = TB_ABS(t3 * t8 + t9 * t10);
-    const real_t t12 = TB_C(0.284) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t12 * t12);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t12 * t13;
@@ -638,15 +643,17 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[1], real_t
     const real_t t18 = t4 * t17;
     const real_t t19 = pose[0] * t17;
     const real_t t20 = TB_ABS(t3 * t18 - t9 * t19);
-    const real_t t21 = TB_C(6.5) * (t18 + (t14 + (t8 - t9)));
-    const real_t t22 = TB_C(6.5) * (t15 + (t3 + t10) - t19);
-    const real_t t23 = TB_C(3.5) * (t11 + t16 + t20) - TB_ABS(t3 * t21 + t9 * t22);
+    const real_t t21 = TB_TENSION_MIDDLE * (t18 + (t14 + (t8 - t9)));
+    const real_t t22 = TB_TENSION_MIDDLE * (t15 + (t3 + t10) - t19);
+    const real_t t23 = TB_TENSION_HALF_RANGE * (t11 + t16 + t20) - TB_ABS(t3 * t21 + t9 * t22);
     const real_t t24 = TB_ABS(t10 * t14 - t8 * t15);
     const real_t t25 = TB_ABS(t10 * t18 + t8 * t19);
-    const real_t t26 = TB_C(3.5) * (t11 + t24 + t25) - TB_ABS(t10 * t21 - t8 * t22);
+    const real_t t26 = TB_TENSION_HALF_RANGE * (t11 + t24 + t25) - TB_ABS(t10 * t21 - t8 * t22);
     const real_t t27 = TB_ABS(t15 * t18 + t14 * t19);
-    const real_t t28 = TB_C(3.5) * (t16 + t24 + t27) - TB_ABS(t15 * t21 - t14 * t22);
-    const real_t t29 = TB_C(3.5) * (t27 + (t20 + t25)) - TB_ABS(t19 * t21 + t18 * t22);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t16 + t24 + t27) - TB_ABS(t15 * t21 - t14 *
+        t22);
+    const real_t t29 = TB_TENSION_HALF_RANGE * (t27 + (t20 + t25)) - TB_ABS(t19 * t21 + t18 *
+        t22);
     const real_t t30 = tb_min(tb_min(tb_min(t23, t26), t28), t29);
     const real_t force_0 = tb_max(TB_C(0.0), t30);
     const bool t31 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
@@ -684,7 +691,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
     const real_t t4 = TB_C(0.142) - pose[1];
-    const real_t t5 = TB_C(0.506) - pose[0];
+    const real_t t5 = TB_FRAME_X - pose[0];
     const real_t t6 = t4 * t4;
     const real_t length_1 = TB_SQRT(t5 * t5 + t6);
     const real_t t7 = TB_C(1.0) / length_1;
@@ -693,7 +700,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t10 = t5 * t7;
     const real_t t11 = t3 * t8 + t9 * t10;
     const real_t t12 = TB_ABS(t11);
-    const real_t t13 = TB_C(0.284) - pose[1];
+    const real_t t13 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t13 * t13);
     const real_t t14 = TB_C(1.0) / length_2;
     const real_t t15 = t13 * t14;
@@ -706,22 +713,23 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
     const real_t t21 = pose[0] * t19;
     const real_t t22 = t3 * t20 - t9 * t21;
     const real_t t23 = TB_ABS(t22);
-    const real_t t24 = TB_C(6.5) * (t20 + (t15 + (t8 - t9)));
-    const real_t t25 = TB_C(6.5) * (t16 + (t3 + t10) - t21);
+    const real_t t24 = TB_TENSION_MIDDLE * (t20 + (t15 + (t8 - t9)));
+    const real_t t25 = TB_TENSION_MIDDLE * (t16 + (t3 + t10) - t21);
     const real_t t26 = t3 * t24 + t9 * t25;
     const real_t t27 = t10 * t15 - t8 * t16;
     const real_t t28 = TB_ABS(t27);
     const real_t t29 = t10 * t20 + t8 * t21;
     const real_t t30 = TB_ABS(t29);
     const real_t t31 = t10 * t24 - t8 * t25;
-    const real_t t32 = tb_min(TB_C(3.5) * (t12 + t18 + t23) - TB_ABS(t26), TB_C(3.5) * (t12 +
-        t28 + t30) - TB_ABS(t31));
+    const real_t t32 = tb_min(TB_TENSION_HALF_RANGE * (t12 + t18 + t23) - TB_ABS(t26),
+        TB_TENSION_HALF_RANGE * (t12 + t28 + t30) - TB_ABS(t31));
     const real_t t33 = t16 * t20 + t15 * t21;
     const real_t t34 = TB_ABS(t33);
     const real_t t35 = t16 * t24 - t15 * t25;
-    const real_t t36 = tb_min(t32, TB_C(3.5) * (t18 + t28 + t34) - TB_ABS(t35));
+    const real_t t36 = tb_min(t32, TB_TENSION_HALF_RANGE * (t18 + t28 + t34) - TB_ABS(t35));
     const real_t t37 = t21 * t24 + t20 * t25;
-    const real_t margin_0 = tb_min(t36, TB_C(3.5) * (t34 + (t23 + t30)) - TB_ABS(t37));
+    const real_t margin_0 = tb_min(t36, TB_TENSION_HALF_RANGE * (t34 + (t23 + t30)) -
+        TB_ABS(t37));
     const bool t38 = TB_C(0.0) <= margin_0;
     real_t factor_0, t39;
     if (t38) {
@@ -780,9 +788,9 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 t76 = t77 ? t15 : (t78 ? t8 : t64);
             }
             const real_t t79 = TB_C(1.0) / (t66 * t75 - t65 * t76);
-            const real_t t80 = TB_C(3.0) + t69 * t79;
+            const real_t t80 = TB_TENSION_MIN + t69 * t79;
             const real_t t81 = TB_C(0.46153846153846156) * (t24 * t75 - t25 * t76);
-            const real_t t82 = TB_C(3.0) - t79 * t81;
+            const real_t t82 = TB_TENSION_MIN - t79 * t81;
             const real_t t83 = t79 * (t66 * t80 - t76 * t82);
             const real_t t84 = t79 * (t75 * t82 - t65 * t80);
             t43 = t3 * t83;
@@ -797,13 +805,13 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
             t52 = t84;
         }
         const real_t t85 = t43 + t44;
-        const real_t t86 = tb_min(tb_max(t85, TB_C(3.0)), TB_C(10.0));
+        const real_t t86 = tb_min(tb_max(t85, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t87 = t45 + t46;
-        const real_t t88 = tb_min(tb_max(t87, TB_C(3.0)), TB_C(10.0));
+        const real_t t88 = tb_min(tb_max(t87, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t89 = t47 + t48;
-        const real_t t90 = tb_min(tb_max(t89, TB_C(3.0)), TB_C(10.0));
+        const real_t t90 = tb_min(tb_max(t89, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t91 = t49 + t50;
-        const real_t t92 = tb_min(tb_max(t91, TB_C(3.0)), TB_C(10.0));
+        const real_t t92 = tb_min(tb_max(t91, TB_TENSION_MIN), TB_TENSION_MAX);
         const real_t t93 = t3 * t86 + t10 * t88 + t16 * t90 - t21 * t92;
         const real_t t94 = t8 * t88 - t9 * t86 + t15 * t90 + t20 * t92;
         const bool t95 = tb_max(TB_ABS(t93), TB_ABS(t94)) - t41 <= TB_C(0.0);
@@ -814,14 +822,14 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
             t96 = t98;
             t97 = TB_C(0.0);
         } else {
-            const bool t99 = TB_C(3.0) < t85 && t85 < TB_C(10.0);
+            const bool t99 = TB_TENSION_MIN < t85 && t85 < TB_TENSION_MAX;
             const real_t t100 = t3 * t3;
-            const bool t101 = TB_C(3.0) < t87 && t87 < TB_C(10.0);
+            const bool t101 = TB_TENSION_MIN < t87 && t87 < TB_TENSION_MAX;
             const real_t t102 = t10 * t10;
             const real_t t103 = (t99 ? t100 : TB_C(0.0)) + (t101 ? t102 : TB_C(0.0));
-            const bool t104 = TB_C(3.0) < t89 && t89 < TB_C(10.0);
+            const bool t104 = TB_TENSION_MIN < t89 && t89 < TB_TENSION_MAX;
             const real_t t105 = t16 * t16;
-            const bool t106 = TB_C(3.0) < t91 && t91 < TB_C(10.0);
+            const bool t106 = TB_TENSION_MIN < t91 && t91 < TB_TENSION_MAX;
             const real_t t107 = t21 * t21;
             const real_t t108 = t103 + (t104 ? t105 : TB_C(0.0)) + (t106 ? t107 : TB_C(0.0));
             const real_t t109 = TB_C(1.0) / t108;
@@ -837,10 +845,14 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
             const real_t t118 = (t94 - t93 * t115) / (t117 - t108 * (t115 * t115));
             const real_t t119 = t51 - (t93 * t109 - t115 * t118);
             const real_t t120 = t52 - t118;
-            const real_t t121 = tb_min(tb_max(t3 * t119 - t9 * t120, TB_C(3.0)), TB_C(10.0));
-            const real_t t122 = tb_min(tb_max(t10 * t119 + t8 * t120, TB_C(3.0)), TB_C(10.0));
-            const real_t t123 = tb_min(tb_max(t16 * t119 + t15 * t120, TB_C(3.0)), TB_C(10.0));
-            const real_t t124 = tb_min(tb_max(t20 * t120 - t21 * t119, TB_C(3.0)), TB_C(10.0));
+            const real_t t121 = tb_min(tb_max(t3 * t119 - t9 * t120, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t122 = tb_min(tb_max(t10 * t119 + t8 * t120, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t123 = tb_min(tb_max(t16 * t119 + t15 * t120, TB_TENSION_MIN),
+                TB_TENSION_MAX);
+            const real_t t124 = tb_min(tb_max(t20 * t120 - t21 * t119, TB_TENSION_MIN),
+                TB_TENSION_MAX);
             const real_t t125 = TB_ABS(t3 * t121 + t10 * t122 + t16 * t123 - t21 * t124);
             const real_t t126 = TB_ABS(t8 * t122 - t9 * t121 + t15 * t123 + t20 * t124);
             const bool t127 = tb_max(t125, t126) - t41 <= TB_C(0.0);
@@ -863,7 +875,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t140 = TB_COPYSIGN(t139, t136);
                 const real_t t141 = TB_C(1.0) / tb_min(TB_ABS(t132), TB_ABS(t140));
                 const real_t t142 = TB_EPSILON * TB_C(30.0) * t141;
-                const real_t t143 = TB_C(3.0) - t142;
+                const real_t t143 = TB_TENSION_MIN - t142;
                 const real_t t144 = TB_C(1.0) / (t139 * (t139 + TB_ABS(t136)));
                 const real_t t145 = t137 * t144;
                 const real_t t146 = TB_C(1.0) - t137 * t145;
@@ -881,10 +893,10 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t158 = t133 * t157;
                 const real_t t159 = t10 * t157 - t154;
                 const real_t t160 = t151 * t152 + t158 * t159;
-                const real_t t161 = t142 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+                const real_t t161 = t142 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
                 const real_t t162 = t161 / tb_max(t151 * t151 + t158 * t158, TB_EPSILON);
                 const real_t t163 = t160 * t162;
-                const real_t t164 = TB_C(10.0) + t142;
+                const real_t t164 = TB_TENSION_MAX + t142;
                 const real_t t165 = tb_max(t143 - t163, t163 - t164);
                 const bool t166 = TB_C(0.0) < t165;
                 const real_t t167 = t16 * t157 - t155;
@@ -902,7 +914,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t179 = t142 * TB_C(1024.0);
                 real_t t180, t181, t182, t183, t184;
                 if (t166) {
-                    const real_t t185 = tb_min(tb_max(t163, TB_C(3.0)), TB_C(10.0));
+                    const real_t t185 = tb_min(tb_max(t163, TB_TENSION_MIN), TB_TENSION_MAX);
                     const real_t t186 = TB_C(1.0) / tb_max(t152 * t152 + t159 * t159,
                         TB_EPSILON);
                     const real_t t187 = t185 * t186;
@@ -952,7 +964,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const real_t t206 = t167 * t174;
                 real_t t207, t208, t209, t210, t211;
                 if (t203) {
-                    const real_t t212 = tb_min(tb_max(t180, TB_C(3.0)), TB_C(10.0));
+                    const real_t t212 = tb_min(tb_max(t180, TB_TENSION_MIN), TB_TENSION_MAX);
                     const real_t t213 = TB_C(1.0) / tb_max(t168 * t168 + t167 * t167,
                         TB_EPSILON);
                     const real_t t214 = t212 * t213;
@@ -1022,7 +1034,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                 const bool t241 = TB_C(0.0) < t240;
                 real_t t242, t243, t244, t245, t246;
                 if (t241) {
-                    const real_t t247 = tb_min(tb_max(t207, TB_C(3.0)), TB_C(10.0));
+                    const real_t t247 = tb_min(tb_max(t207, TB_TENSION_MIN), TB_TENSION_MAX);
                     const real_t t248 = TB_C(1.0) / tb_max(t174 * t174 + t173 * t173,
                         TB_EPSILON);
                     const real_t t249 = t247 * t248;
@@ -1112,10 +1124,10 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
                     t245 = t207;
                     t246 = t211;
                 }
-                const real_t t288 = tb_min(tb_max(t242, TB_C(3.0)), TB_C(10.0));
-                const real_t t289 = tb_min(tb_max(t243, TB_C(3.0)), TB_C(10.0));
-                const real_t t290 = tb_min(tb_max(t244, TB_C(3.0)), TB_C(10.0));
-                const real_t t291 = tb_min(tb_max(t245, TB_C(3.0)), TB_C(10.0));
+                const real_t t288 = tb_min(tb_max(t242, TB_TENSION_MIN), TB_TENSION_MAX);
+                const real_t t289 = tb_min(tb_max(t243, TB_TENSION_MIN), TB_TENSION_MAX);
+                const real_t t290 = tb_min(tb_max(t244, TB_TENSION_MIN), TB_TENSION_MAX);
+                const real_t t291 = tb_min(tb_max(t245, TB_TENSION_MIN), TB_TENSION_MAX);
                 const real_t t292 = tb_min(tb_min(tb_min(t288, t289), t290), t291) /
                     tb_max(tb_max(tb_max(t288, t289), t290), t291);
                 const real_t t293 = TB_ABS(t3 * t288 + t10 * t289 + t16 * t290 - t21 * t291);
@@ -1175,7 +1187,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
     const real_t t4 = TB_C(0.142) - pose[1];
-    const real_t t5 = TB_C(0.506) - pose[0];
+    const real_t t5 = TB_FRAME_X - pose[0];
     const real_t t6 = t4 * t4;
     const real_t length_1 = TB_SQRT(t5 * t5 + t6);
     const real_t t7 = TB_C(1.0) / length_1;
@@ -1184,7 +1196,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t10 = t5 * t7;
     const real_t t11 = t3 * t8 + t9 * t10;
     const real_t t12 = TB_ABS(t11);
-    const real_t t13 = TB_C(0.284) - pose[1];
+    const real_t t13 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t13 * t13);
     const real_t t14 = TB_C(1.0) / length_2;
     const real_t t15 = t13 * t14;
@@ -1199,20 +1211,22 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
     const real_t t23 = t9 * t22;
     const real_t t24 = t21 - t23;
     const real_t t25 = TB_ABS(t24);
-    const real_t t26 = TB_C(6.5) * (t20 + (t15 + (t8 - t9)));
-    const real_t t27 = TB_C(6.5) * (t16 + (t3 + t10) - t22);
-    const real_t t28 = TB_C(3.5) * (t12 + t18 + t25) - TB_ABS(t3 * t26 + t9 * t27);
+    const real_t t26 = TB_TENSION_MIDDLE * (t20 + (t15 + (t8 - t9)));
+    const real_t t27 = TB_TENSION_MIDDLE * (t16 + (t3 + t10) - t22);
+    const real_t t28 = TB_TENSION_HALF_RANGE * (t12 + t18 + t25) - TB_ABS(t3 * t26 + t9 * t27);
     const real_t t29 = t10 * t15;
     const real_t t30 = t8 * t16;
     const real_t t31 = t29 - t30;
     const real_t t32 = TB_ABS(t31);
     const real_t t33 = t10 * t20 + t8 * t22;
     const real_t t34 = TB_ABS(t33);
-    const real_t t35 = TB_C(3.5) * (t12 + t32 + t34) - TB_ABS(t10 * t26 - t8 * t27);
+    const real_t t35 = TB_TENSION_HALF_RANGE * (t12 + t32 + t34) - TB_ABS(t10 * t26 - t8 * t27);
     const real_t t36 = t16 * t20 + t15 * t22;
     const real_t t37 = TB_ABS(t36);
-    const real_t t38 = TB_C(3.5) * (t18 + t32 + t37) - TB_ABS(t16 * t26 - t15 * t27);
-    const real_t t39 = TB_C(3.5) * (t37 + (t25 + t34)) - TB_ABS(t22 * t26 + t20 * t27);
+    const real_t t38 = TB_TENSION_HALF_RANGE * (t18 + t32 + t37) - TB_ABS(t16 * t26 - t15 *
+        t27);
+    const real_t t39 = TB_TENSION_HALF_RANGE * (t37 + (t25 + t34)) - TB_ABS(t22 * t26 + t20 *
+        t27);
     const bool t40 = TB_C(0.0) <= tb_min(tb_min(tb_min(t28, t35), t38), t39);
     const real_t t41 = TB_SQRT(t3 * t3 + t10 * t10 + t16 * t16 + t22 * t22);
     const real_t t42 = TB_COPYSIGN(t41, t3);
@@ -1238,7 +1252,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t60 = TB_C(0.0) < t59;
         const bool t61 = (t53 || (TB_C(0.0) <= t11 && t54)) && !((t55 && t57) || (t58 && t60));
         const real_t t62 = TB_C(30.0) * TB_EPSILON / tb_min(t43, t52);
-        const real_t t63 = TB_C(3.0) - t62;
+        const real_t t63 = TB_TENSION_MIN - t62;
         const real_t t64 = TB_C(1.0) / (t50 * (t50 + TB_ABS(t47)));
         const real_t t65 = t48 * t64;
         const real_t t66 = TB_C(1.0) - t48 * t65;
@@ -1256,10 +1270,10 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t78 = t44 * t77;
         const real_t t79 = t10 * t77 - t74;
         const real_t t80 = t71 * t72 + t78 * t79;
-        const real_t t81 = t62 < TB_C(3.0) ? TB_C(3.0) : TB_C(0.0);
+        const real_t t81 = t62 < TB_TENSION_MIN ? TB_TENSION_MIN : TB_C(0.0);
         const real_t t82 = t81 / tb_max(t71 * t71 + t78 * t78, TB_EPSILON);
         const real_t t83 = t80 * t82;
-        const real_t t84 = TB_C(10.0) + t62;
+        const real_t t84 = TB_TENSION_MAX + t62;
         const bool t85 = TB_C(0.0) < tb_max(t63 - t83, t83 - t84);
         const real_t t86 = t16 * t77 - t75;
         const real_t t87 = t66 - t16 * t70;
@@ -1274,7 +1288,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t96 = t78 * t92 - t71 * t93;
         real_t t97, t98, t99, t100;
         if (t85) {
-            const real_t t101 = tb_min(tb_max(t83, TB_C(3.0)), TB_C(10.0));
+            const real_t t101 = tb_min(tb_max(t83, TB_TENSION_MIN), TB_TENSION_MAX);
             const real_t t102 = TB_C(1.0) / tb_max(t72 * t72 + t79 * t79, TB_EPSILON);
             const real_t t103 = t101 * t102;
             const real_t t104 = t71 * t79 - t72 * t78;
@@ -1308,7 +1322,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const real_t t116 = t86 * t93;
         real_t t117, t118, t119, t120;
         if (t113) {
-            const real_t t121 = tb_min(tb_max(t97, TB_C(3.0)), TB_C(10.0));
+            const real_t t121 = tb_min(tb_max(t97, TB_TENSION_MIN), TB_TENSION_MAX);
             const real_t t122 = TB_C(1.0) / tb_max(t87 * t87 + t86 * t86, TB_EPSILON);
             const real_t t123 = t121 * t122;
             const bool t124 = TB_ABS(t89) <= t90;
@@ -1353,7 +1367,7 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t140 = TB_C(0.0) < tb_max(t63 - t117, t117 - t84);
         real_t t141, t142, t143, t144;
         if (t140) {
-            const real_t t145 = tb_min(tb_max(t117, TB_C(3.0)), TB_C(10.0));
+            const real_t t145 = tb_min(tb_max(t117, TB_TENSION_MIN), TB_TENSION_MAX);
             const real_t t146 = TB_C(1.0) / tb_max(t93 * t93 + t92 * t92, TB_EPSILON);
             const real_t t147 = t145 * t146;
             const real_t t148 = t96 * t147;
@@ -1410,8 +1424,10 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
             t144 = t117;
         }
         /* t_i = T_max - T0_i */
-        const real_t margin_0 = TB_C(10.0) - tb_min(tb_max(t141, TB_C(3.0)), TB_C(10.0));
-        const real_t margin_1 = TB_C(10.0) - tb_min(tb_max(t142, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_0 = TB_TENSION_MAX - tb_min(tb_max(t141, TB_TENSION_MIN),
+            TB_TENSION_MAX);
+        const real_t margin_1 = TB_TENSION_MAX - tb_min(tb_max(t142, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t173 = tb_min(margin_0, margin_1);
         const bool t174 = t3 * t16 - t9 * t15 < TB_C(0.0);
         const bool t175 = TB_C(0.0) < t31;
@@ -1419,7 +1435,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t177 = TB_C(0.0) < t176;
         const bool t178 = (t55 || (TB_C(0.0) <= t17 && t174)) && !((t53 && t175) || (t58 &&
             t177));
-        const real_t margin_2 = TB_C(10.0) - tb_min(tb_max(t143, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_2 = TB_TENSION_MAX - tb_min(tb_max(t143, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t179 = tb_min(margin_0, margin_2);
         const real_t t180 = tb_min(t61 ? (t54 ? t11 * t173 : t173) : TB_C(1e+30), t178 ? (t174
             ? t17 * t179 : t179) : TB_C(1e+30));
@@ -1428,7 +1445,8 @@ tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], r
         const bool t183 = TB_C(0.0) < t36;
         const bool t184 = (t58 || (TB_C(0.0) <= t24 && t181)) && !((t53 && t182) || (t55 &&
             t183));
-        const real_t margin_3 = TB_C(10.0) - tb_min(tb_max(t144, TB_C(3.0)), TB_C(10.0));
+        const real_t margin_3 = TB_TENSION_MAX - tb_min(tb_max(t144, TB_TENSION_MIN),
+            TB_TENSION_MAX);
         const real_t t185 = tb_min(margin_0, margin_3);
         const real_t t186 = tb_min(t180, t184 ? (t181 ? t24 * t185 : t185) : TB_C(1e+30));
         const real_t t187 = -t11;

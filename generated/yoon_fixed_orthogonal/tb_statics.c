@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out generated/yoon_fixed_orthogonal
+/* Regenerate: turnbuckle generate machines/yoon_fixed_orthogonal.toml --out <this folder>
  * Machine c858d0533419e597, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
 {
@@ -45,13 +46,13 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[1],
     const real_t t1 = t0 * t0;
     const real_t t2 = pose[1] * pose[1];
     const real_t t3 = TB_SQRT(t1 + t2);
-    const real_t t4 = TB_C(0.506) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t t6 = pose[0] * pose[0];
     const real_t t7 = t1 + (t1 + t5) + t6;
     const real_t t8 = TB_C(1.0) / t7;
     const real_t t9 = TB_C(0.142) - pose[1];
-    const real_t t10 = TB_C(0.284) - pose[1];
+    const real_t t10 = TB_FRAME_Y - pose[1];
     const real_t t11 = t8 * (t4 * t9 - t0 * pose[1] + t0 * t10 - pose[0] * t9);
     const real_t t12 = t9 * t9;
     const real_t t13 = t10 * t10;

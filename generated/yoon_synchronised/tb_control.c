@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
+/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out <this folder>
  * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_control.h"
+#include "tb_machine.h"
 
 tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
 {
@@ -13,10 +14,10 @@ tb_status tb_motor_torques(const real_t tension[4], real_t torque[4])
         torque[3] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t torque_0 = TB_C(0.005) * tension[0];
-    const real_t torque_1 = TB_C(0.005) * tension[1];
-    const real_t torque_2 = TB_C(0.005) * tension[2];
-    const real_t torque_3 = TB_C(0.005) * tension[3];
+    const real_t torque_0 = TB_DRUM_RADIUS * tension[0];
+    const real_t torque_1 = TB_DRUM_RADIUS * tension[1];
+    const real_t torque_2 = TB_DRUM_RADIUS * tension[2];
+    const real_t torque_3 = TB_DRUM_RADIUS * tension[3];
     torque[0] = torque_0;
     torque[1] = torque_1;
     torque[2] = torque_2;
@@ -40,10 +41,10 @@ tb_status tb_wall_force(const real_t pose[2], const real_t velocity[2], real_t f
 /* Refuses with a status: load is 3 N. */
 static tb_status tb_refuse_load_tension(tb_status status, real_t load[4])
 {
-    load[0] = TB_C(3.0);
-    load[1] = TB_C(3.0);
-    load[2] = TB_C(3.0);
-    load[3] = TB_C(3.0);
+    load[0] = TB_TENSION_MIN;
+    load[1] = TB_TENSION_MIN;
+    load[2] = TB_TENSION_MIN;
+    load[3] = TB_TENSION_MIN;
     return status;
 }
 
@@ -97,8 +98,8 @@ tb_status tb_base_targets(const real_t pose[2], real_t target[2])
         target[1] = TB_C(0.0);
         return TB_OUT_OF_DOMAIN;
     }
-    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_C(0.7118));
-    const real_t target_1 = tb_min(tb_max(pose[1], TB_C(0.0)), TB_C(0.4618));
+    const real_t target_0 = tb_min(tb_max(pose[0], TB_C(0.0)), TB_FRAME_X);
+    const real_t target_1 = tb_min(tb_max(pose[1], TB_C(0.0)), TB_FRAME_Y);
     target[0] = target_0;
     target[1] = target_1;
     return TB_OK;
@@ -108,19 +109,21 @@ tb_status tb_base_pid(const real_t memory[6], const real_t target[2], const real
     real_t next_memory[6], real_t force[2])
 {
     const real_t t0 = target[0] - measured[0];
-    const real_t t1 = (measured[0] - memory[1]) * TB_C(1000.0) - memory[2];
-    const real_t next_memory_2 = memory[2] + TB_C(0.7153904566639707) * t1;
-    const real_t t2 = TB_C(11000.0) * t0 + memory[0] - TB_C(140.0) * next_memory_2;
-    const bool t3 = (TB_C(60.0) < t2 && TB_C(0.0) < t0) || (t2 < -TB_C(60.0) && t0 < TB_C(0.0));
-    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_C(30.0);
+    const real_t t1 = (measured[0] - memory[1]) * TB_CONTROL_RATE - memory[2];
+    const real_t next_memory_2 = memory[2] + TB_RAIL_SPEED_GAIN * t1;
+    const real_t t2 = TB_RAIL_STIFFNESS * t0 + memory[0] - TB_RAIL_DAMPING * next_memory_2;
+    const bool t3 = (TB_RAIL_FORCE_LIMIT < t2 && TB_C(0.0) < t0) || (t2 < -TB_RAIL_FORCE_LIMIT
+        && t0 < TB_C(0.0));
+    const real_t next_memory_0 = t3 ? memory[0] : memory[0] + t0 * TB_RAIL_INTEGRAL_STEP;
     const real_t t4 = target[1] - measured[1];
-    const real_t t5 = TB_C(1000.0) * (measured[1] - memory[4]) - memory[5];
-    const real_t next_memory_5 = memory[5] + TB_C(0.7153904566639707) * t5;
-    const real_t t6 = TB_C(11000.0) * t4 + memory[3] - TB_C(140.0) * next_memory_5;
-    const bool t7 = (TB_C(60.0) < t6 && TB_C(0.0) < t4) || (t6 < -TB_C(60.0) && t4 < TB_C(0.0));
-    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_C(30.0) * t4;
-    const real_t force_0 = tb_min(tb_max(t2, -TB_C(60.0)), TB_C(60.0));
-    const real_t force_1 = tb_min(tb_max(t6, -TB_C(60.0)), TB_C(60.0));
+    const real_t t5 = TB_CONTROL_RATE * (measured[1] - memory[4]) - memory[5];
+    const real_t next_memory_5 = memory[5] + TB_RAIL_SPEED_GAIN * t5;
+    const real_t t6 = TB_RAIL_STIFFNESS * t4 + memory[3] - TB_RAIL_DAMPING * next_memory_5;
+    const bool t7 = (TB_RAIL_FORCE_LIMIT < t6 && TB_C(0.0) < t4) || (t6 < -TB_RAIL_FORCE_LIMIT
+        && t4 < TB_C(0.0));
+    const real_t next_memory_3 = t7 ? memory[3] : memory[3] + TB_RAIL_INTEGRAL_STEP * t4;
+    const real_t force_0 = tb_min(tb_max(t2, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
+    const real_t force_1 = tb_min(tb_max(t6, -TB_RAIL_FORCE_LIMIT), TB_RAIL_FORCE_LIMIT);
     const bool t8 = TB_ABS(t2) <= TB_C(1000000000.0) && TB_ABS(t6) <= TB_C(1000000000.0);
     const bool t9 = !t8;
     if (t9) {

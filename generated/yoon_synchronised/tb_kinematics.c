@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
+/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out <this folder>
  * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_kinematics.h"
+#include "tb_machine.h"
 
 tb_status tb_base_points(const real_t rails[2], real_t points[8])
 {
@@ -18,10 +19,10 @@ tb_status tb_base_points(const real_t rails[2], real_t points[8])
     }
     points[0] = rails[0];
     points[1] = TB_C(0.0);
-    points[2] = TB_C(0.7118);
+    points[2] = TB_FRAME_X;
     points[3] = rails[1];
     points[4] = rails[0];
-    points[5] = TB_C(0.4618);
+    points[5] = TB_FRAME_Y;
     points[6] = TB_C(0.0);
     points[7] = rails[1];
     return TB_OK;
@@ -43,9 +44,9 @@ tb_status tb_cable_vectors(const real_t pose[2], const real_t rails[2], real_t v
     }
     const real_t vectors_0 = rails[0] - pose[0];
     const real_t vectors_1 = -pose[1];
-    const real_t vectors_2 = TB_C(0.7118) - pose[0];
+    const real_t vectors_2 = TB_FRAME_X - pose[0];
     const real_t vectors_3 = rails[1] - pose[1];
-    const real_t vectors_5 = TB_C(0.4618) - pose[1];
+    const real_t vectors_5 = TB_FRAME_Y - pose[1];
     const real_t vectors_6 = -pose[0];
     vectors[0] = vectors_0;
     vectors[1] = vectors_1;
@@ -77,11 +78,11 @@ tb_status tb_cable_lengths(const real_t pose[2], const real_t rails[2], real_t l
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
     const real_t length_0 = TB_SQRT(t1 + pose[1] * pose[1]);
-    const real_t t2 = TB_C(0.7118) - pose[0];
+    const real_t t2 = TB_FRAME_X - pose[0];
     const real_t t3 = rails[1] - pose[1];
     const real_t t4 = t3 * t3;
     const real_t length_1 = TB_SQRT(t2 * t2 + t4);
-    const real_t t5 = TB_C(0.4618) - pose[1];
+    const real_t t5 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t5 * t5);
     const real_t length_3 = TB_SQRT(t4 + pose[0] * pose[0]);
     const bool t6 = TB_C(0.0001) < length_0 && TB_C(0.0001) < length_1;
@@ -123,13 +124,13 @@ tb_status tb_structure_matrix(const real_t pose[2], const real_t rails[2], real_
     const real_t length_0 = TB_SQRT(t1 + pose[1] * pose[1]);
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t structure_0 = t0 * t2;
-    const real_t t3 = TB_C(0.7118) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = rails[1] - pose[1];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t3 * t3 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
     const real_t structure_1 = t3 * t6;
-    const real_t t7 = TB_C(0.4618) - pose[1];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t structure_2 = t0 * t8;
@@ -184,14 +185,14 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[2], real_t
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t jacobian_0 = -(t0 * t2);
     const real_t jacobian_1 = pose[1] * t2;
-    const real_t t3 = TB_C(0.7118) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = rails[1] - pose[1];
     const real_t t5 = t4 * t4;
     const real_t length_1 = TB_SQRT(t3 * t3 + t5);
     const real_t t6 = TB_C(1.0) / length_1;
     const real_t jacobian_2 = -(t3 * t6);
     const real_t jacobian_3 = -(t4 * t6);
-    const real_t t7 = TB_C(0.4618) - pose[1];
+    const real_t t7 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t7 * t7);
     const real_t t8 = TB_C(1.0) / length_2;
     const real_t jacobian_4 = -(t0 * t8);
@@ -242,7 +243,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[2],
     const real_t t2 = TB_C(1.0) / length_0;
     const real_t t3 = t0 * t2;
     const real_t t4 = length_rates[0] - t3 * rail_rates[0];
-    const real_t t5 = TB_C(0.7118) - pose[0];
+    const real_t t5 = TB_FRAME_X - pose[0];
     const real_t t6 = rails[1] - pose[1];
     const real_t t7 = t6 * t6;
     const real_t length_1 = TB_SQRT(t5 * t5 + t7);
@@ -250,7 +251,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[2],
     const real_t t9 = t5 * t8;
     const real_t t10 = t6 * t8;
     const real_t t11 = length_rates[1] - t10 * rail_rates[1];
-    const real_t t12 = TB_C(0.4618) - pose[1];
+    const real_t t12 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t12 * t12);
     const real_t t13 = TB_C(1.0) / length_2;
     const real_t t14 = t0 * t13;
@@ -303,18 +304,18 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[2], 
           && TB_ABS(rails[0]) + TB_ABS(rails[1]) <= TB_C(2.8472))) {
         return tb_refuse_forward_kinematics(TB_OUT_OF_DOMAIN, pose, residual);
     }
-    const real_t t0 = (rails[0] + (rails[0] + TB_C(0.7118))) * TB_C(0.25);
+    const real_t t0 = (rails[0] + (rails[0] + TB_FRAME_X)) * TB_C(0.25);
     const real_t t1 = rails[0] - t0;
     const real_t t2 = t1 * t1;
-    const real_t t3 = TB_C(0.25) * (rails[1] + (rails[1] + TB_C(0.4618)));
+    const real_t t3 = TB_C(0.25) * (rails[1] + (rails[1] + TB_FRAME_Y));
     const real_t t4 = t3 * t3;
     const real_t t5 = t2 + t4 - lengths[0] * lengths[0];
-    const real_t t6 = TB_C(0.7118) - t0;
+    const real_t t6 = TB_FRAME_X - t0;
     const real_t t7 = t6 * t6;
     const real_t t8 = rails[1] - t3;
     const real_t t9 = t8 * t8;
     const real_t t10 = t7 + t9 - lengths[1] * lengths[1];
-    const real_t t11 = TB_C(0.4618) - t3;
+    const real_t t11 = TB_FRAME_Y - t3;
     const real_t t12 = t11 * t11;
     const real_t t13 = t2 + t12 - lengths[2] * lengths[2];
     const real_t t14 = t0 * t0;
@@ -341,14 +342,14 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[2], 
     const real_t t30 = TB_C(1.0) / distance_0;
     const real_t t31 = t28 * t30;
     const real_t t32 = distance_0 - lengths[0];
-    const real_t t33 = TB_C(0.7118) - start_0;
+    const real_t t33 = TB_FRAME_X - start_0;
     const real_t t34 = rails[1] - start_1;
     const real_t t35 = t34 * t34;
     const real_t distance_1 = TB_SQRT(t33 * t33 + t35);
     const real_t t36 = TB_C(1.0) / distance_1;
     const real_t t37 = t33 * t36;
     const real_t t38 = distance_1 - lengths[1];
-    const real_t t39 = TB_C(0.4618) - start_1;
+    const real_t t39 = TB_FRAME_Y - start_1;
     const real_t distance_2 = TB_SQRT(t29 + t39 * t39);
     const real_t t40 = TB_C(1.0) / distance_2;
     const real_t t41 = t28 * t40;
@@ -375,12 +376,12 @@ tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[2], 
     const real_t t59 = TB_SQRT(t58 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t59;
-    const real_t t60 = TB_C(0.7118) - pose_0;
+    const real_t t60 = TB_FRAME_X - pose_0;
     const real_t t61 = rails[1] - pose_1;
     const real_t t62 = t61 * t61;
     const real_t t63 = TB_SQRT(t60 * t60 + t62);
     const real_t misfit_1 = lengths[1] - t63;
-    const real_t t64 = TB_C(0.4618) - pose_1;
+    const real_t t64 = TB_FRAME_Y - pose_1;
     const real_t t65 = TB_SQRT(t58 + t64 * t64);
     const real_t misfit_2 = lengths[2] - t65;
     const real_t t66 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
@@ -436,18 +437,18 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[2],
           && TB_ABS(rail_rates[0]) + TB_ABS(rail_rates[1]) <= TB_C(200.0))) {
         return tb_refuse_locate(TB_OUT_OF_DOMAIN, pose, residual, structure, velocity);
     }
-    const real_t t0 = (rails[0] + (rails[0] + TB_C(0.7118))) * TB_C(0.25);
+    const real_t t0 = (rails[0] + (rails[0] + TB_FRAME_X)) * TB_C(0.25);
     const real_t t1 = rails[0] - t0;
     const real_t t2 = t1 * t1;
-    const real_t t3 = TB_C(0.25) * (rails[1] + (rails[1] + TB_C(0.4618)));
+    const real_t t3 = TB_C(0.25) * (rails[1] + (rails[1] + TB_FRAME_Y));
     const real_t t4 = t3 * t3;
     const real_t t5 = t2 + t4 - lengths[0] * lengths[0];
-    const real_t t6 = TB_C(0.7118) - t0;
+    const real_t t6 = TB_FRAME_X - t0;
     const real_t t7 = t6 * t6;
     const real_t t8 = rails[1] - t3;
     const real_t t9 = t8 * t8;
     const real_t t10 = t7 + t9 - lengths[1] * lengths[1];
-    const real_t t11 = TB_C(0.4618) - t3;
+    const real_t t11 = TB_FRAME_Y - t3;
     const real_t t12 = t11 * t11;
     const real_t t13 = t2 + t12 - lengths[2] * lengths[2];
     const real_t t14 = t0 * t0;
@@ -474,14 +475,14 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[2],
     const real_t t30 = TB_C(1.0) / distance_0;
     const real_t t31 = t28 * t30;
     const real_t t32 = distance_0 - lengths[0];
-    const real_t t33 = TB_C(0.7118) - start_0;
+    const real_t t33 = TB_FRAME_X - start_0;
     const real_t t34 = rails[1] - start_1;
     const real_t t35 = t34 * t34;
     const real_t distance_1 = TB_SQRT(t33 * t33 + t35);
     const real_t t36 = TB_C(1.0) / distance_1;
     const real_t t37 = t33 * t36;
     const real_t t38 = distance_1 - lengths[1];
-    const real_t t39 = TB_C(0.4618) - start_1;
+    const real_t t39 = TB_FRAME_Y - start_1;
     const real_t distance_2 = TB_SQRT(t29 + t39 * t39);
     const real_t t40 = TB_C(1.0) / distance_2;
     const real_t t41 = t28 * t40;
@@ -508,12 +509,12 @@ tb_status tb_locate(const real_t lengths[4], const real_t rails[2],
     const real_t t59 = TB_SQRT(t58 + pose_1 * pose_1);
     /* what the lengths disagree by: slack, an encoder fault */
     const real_t misfit_0 = lengths[0] - t59;
-    const real_t t60 = TB_C(0.7118) - pose_0;
+    const real_t t60 = TB_FRAME_X - pose_0;
     const real_t t61 = rails[1] - pose_1;
     const real_t t62 = t61 * t61;
     const real_t t63 = TB_SQRT(t60 * t60 + t62);
     const real_t misfit_1 = lengths[1] - t63;
-    const real_t t64 = TB_C(0.4618) - pose_1;
+    const real_t t64 = TB_FRAME_Y - pose_1;
     const real_t t65 = TB_SQRT(t58 + t64 * t64);
     const real_t misfit_2 = lengths[2] - t65;
     const real_t t66 = misfit_0 * misfit_0 + misfit_1 * misfit_1 + misfit_2 * misfit_2;
@@ -604,11 +605,11 @@ tb_status tb_rail_jacobian(const real_t pose[2], const real_t rails[2], real_t j
     const real_t length_0 = TB_SQRT(t1 + pose[1] * pose[1]);
     const real_t jacobian_0 = t0 / length_0;
     const real_t t2 = rails[1] - pose[1];
-    const real_t t3 = TB_C(0.7118) - pose[0];
+    const real_t t3 = TB_FRAME_X - pose[0];
     const real_t t4 = t2 * t2;
     const real_t length_1 = TB_SQRT(t3 * t3 + t4);
     const real_t jacobian_3 = t2 / length_1;
-    const real_t t5 = TB_C(0.4618) - pose[1];
+    const real_t t5 = TB_FRAME_Y - pose[1];
     const real_t length_2 = TB_SQRT(t1 + t5 * t5);
     const real_t jacobian_4 = t0 / length_2;
     const real_t length_3 = TB_SQRT(t4 + pose[0] * pose[0]);

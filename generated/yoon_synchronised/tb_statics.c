@@ -1,7 +1,8 @@
-/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
+/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out <this folder>
  * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #include "tb_statics.h"
+#include "tb_machine.h"
 
 tb_status tb_wrench(const real_t structure[8], const real_t tension[4], real_t wrench[2])
 {
@@ -45,13 +46,13 @@ tb_status tb_wrench_share_eq10(const real_t pose[2], const real_t rails[2],
     const real_t t1 = t0 * t0;
     const real_t t2 = pose[1] * pose[1];
     const real_t t3 = TB_SQRT(t1 + t2);
-    const real_t t4 = TB_C(0.7118) - pose[0];
+    const real_t t4 = TB_FRAME_X - pose[0];
     const real_t t5 = t4 * t4;
     const real_t t6 = pose[0] * pose[0];
     const real_t t7 = t1 + (t1 + t5) + t6;
     const real_t t8 = TB_C(1.0) / t7;
     const real_t t9 = rails[1] - pose[1];
-    const real_t t10 = TB_C(0.4618) - pose[1];
+    const real_t t10 = TB_FRAME_Y - pose[1];
     const real_t t11 = t8 * (t4 * t9 - t0 * pose[1] + t0 * t10 - pose[0] * t9);
     const real_t t12 = t9 * t9;
     const real_t t13 = t10 * t10;
@@ -116,11 +117,11 @@ tb_status tb_rail_forces(const real_t pose[2], const real_t rails[2], const real
     const real_t t0 = rails[0] - pose[0];
     const real_t t1 = t0 * t0;
     const real_t t2 = TB_SQRT(t1 + pose[1] * pose[1]);
-    const real_t t3 = TB_C(0.4618) - pose[1];
+    const real_t t3 = TB_FRAME_Y - pose[1];
     const real_t t4 = TB_SQRT(t1 + t3 * t3);
     const real_t force_0 = -(tension[0] * (t0 / t2) + tension[2] * (t0 / t4));
     const real_t t5 = rails[1] - pose[1];
-    const real_t t6 = TB_C(0.7118) - pose[0];
+    const real_t t6 = TB_FRAME_X - pose[0];
     const real_t t7 = t5 * t5;
     const real_t t8 = TB_SQRT(t6 * t6 + t7);
     const real_t t9 = TB_SQRT(t7 + pose[0] * pose[0]);

@@ -1,4 +1,4 @@
-/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out generated/yoon_synchronised
+/* Regenerate: turnbuckle generate machines/yoon_synchronised.toml --out <this folder>
  * Machine 2674137f8fc00ebb, turnbuckle 0.2.0, casadi 3.8.2. Do not edit.
  * SPDX-License-Identifier: 0BSD */
 #ifndef TB_TENSION_H

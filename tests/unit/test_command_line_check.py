@@ -1,6 +1,7 @@
 """`turnbuckle check`: every problem on a line, or all as JSON, with the exit status of the file."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -58,8 +59,8 @@ def test_a_machine_is_there_as_json() -> None:
     result = check(STOCK, "--json")
     told = json.loads(result.stdout)
     assert (result.exit_code, result.stderr) == (0, "")
-    digits = told.pop("hash")
-    assert len(digits) == 16
+    digits = told.pop("content_sha256")
+    assert re.fullmatch("[0-9a-f]{64}", digits)
     assert told == {
         "file": str(STOCK),
         "valid": True,
@@ -70,12 +71,12 @@ def test_a_machine_is_there_as_json() -> None:
     }
 
 
-def test_the_hash_is_that_of_the_machine_and_not_of_its_spelling(tmp_path: Path) -> None:
+def test_the_hash_is_that_of_the_content_and_not_of_its_spelling(tmp_path: Path) -> None:
     path = tmp_path / "machine.toml"
-    digits = [json.loads(check(STOCK, "--json").stdout)["hash"]]
+    digits = [json.loads(check(STOCK, "--json").stdout)["content_sha256"]]
     for text in (TEXT.replace("55 mN*m", "0,055 Nm"), TEXT.replace("55 mN*m", "56 mN*m")):
         path.write_text(text, encoding="utf-8")
-        digits.append(json.loads(check(path, "--json").stdout)["hash"])
+        digits.append(json.loads(check(path, "--json").stdout)["content_sha256"])
     assert digits[0] == digits[1] != digits[2]
 
 
