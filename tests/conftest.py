@@ -19,7 +19,10 @@ from turnbuckle.model.machine import Machine
 from turnbuckle.model.reading import load_machine
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from journey import Journey
+    from running import Lines
 
 ROOT = Path(__file__).parents[1]
 STOCK_FILE = ROOT / "machines" / "yoon2023.toml"
@@ -108,3 +111,20 @@ def journey() -> Journey:
     from journey import Journey, stock
 
     return Journey(stock())
+
+
+@pytest.fixture(scope="session")
+def program(stock_folder: Path) -> Path:
+    """The executable of the stock machine."""
+    from turnbuckle.lab.live.program import compile_machine
+
+    return compile_machine(stock_folder)
+
+
+@pytest.fixture
+def lines() -> Iterator[Lines]:
+    """A serial line a bus, without drives."""
+    from running import silent_lines
+
+    with silent_lines() as lines:
+        yield lines

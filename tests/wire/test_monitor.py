@@ -12,29 +12,15 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from running import PATIENCE, Lines, Running, running, shared_file, silent_lines
+from running import PATIENCE, Lines, Running, running, shared_file
 from typer.testing import CliRunner, Result
 
 from turnbuckle.command_line import app
-from turnbuckle.lab.live.program import compile_machine
 from turnbuckle.lab.live.telemetry import Request
 from turnbuckle.lab.lockstep import State
 
 ROOT = Path(__file__).parents[2]
 REQUESTS: tuple[Request, ...] = ("arm", "stop", "reset")
-
-
-@pytest.fixture(scope="module")
-def program(stock_folder: Path) -> Path:
-    """The executable of the stock machine."""
-    return compile_machine(stock_folder)
-
-
-@pytest.fixture
-def lines() -> Iterator[Lines]:
-    """A serial line a bus."""
-    with silent_lines() as lines:
-        yield lines
 
 
 @pytest.fixture

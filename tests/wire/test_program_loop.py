@@ -10,15 +10,14 @@ import signal
 import socket
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from running import Lines, Running, running, silent_lines
+from running import Lines, Running, running
 
 from turnbuckle.codegen.compile import compile_program
-from turnbuckle.lab.live.program import FOLDERS, compile_machine
+from turnbuckle.lab.live.program import FOLDERS
 from turnbuckle.lab.live.telemetry import Telemetry
 from turnbuckle.lab.lockstep import State
 from turnbuckle.places import RUNTIME
@@ -29,19 +28,6 @@ CYCLIC = {"clock_nanosleep", "clock_gettime", "read", "write", "ioctl"}
 """System calls that the loop may make: sleep, frames, the length of a line's queue."""
 CLOCKS = {"real": CYCLIC, "simulated": CYCLIC | {"sendto", "recvfrom"}}
 """By the clock that the loop lives by."""
-
-
-@pytest.fixture(scope="module")
-def program(stock_folder: Path) -> Path:
-    """The executable of the stock machine."""
-    return compile_machine(stock_folder)
-
-
-@pytest.fixture
-def lines() -> Iterator[Lines]:
-    """A serial line a bus."""
-    with silent_lines() as lines:
-        yield lines
 
 
 def kept(telemetry: Telemetry) -> list[np.void]:

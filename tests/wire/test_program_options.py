@@ -8,25 +8,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from running import BUSES, Lines, running, silent_lines
+from running import BUSES, Lines, running
 
 from turnbuckle.lab.live.program import compile_machine
 from turnbuckle.model.words import LONGEST_IDENTIFIER
 
 NOBODY = 65534
-
-
-@pytest.fixture(scope="module")
-def program(stock_folder: Path) -> Path:
-    """The executable of the stock machine."""
-    return compile_machine(stock_folder)
-
-
-@pytest.fixture
-def lines() -> Iterator[Lines]:
-    """A serial line a bus."""
-    with silent_lines() as lines:
-        yield lines
 
 
 def run(program: Path, *options: str) -> "subprocess.CompletedProcess[str]":
