@@ -67,4 +67,4 @@ def test_the_tokens_of_the_runtime_are_all_that_is_not_aside(file: str) -> None:
     texts = "".join(token.text for token in tokens_of(source))
     assert all(source[token.start : token.end] == token.text for token in tokens_of(source))
     assert "/*" not in texts and "_Static_assert" not in texts and "#include" not in texts
-    assert len(mutations(file, source)) > 20
+    assert len(mutations(file, source)) >= source.count("\n") / 2
