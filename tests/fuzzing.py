@@ -22,6 +22,8 @@ FLAGS = (
     "-fsanitize=fuzzer,address,undefined",
     "-fno-sanitize-recover=all",
 )
+#: Inputs among which a seeded defect is found, however busy the computer is.
+ENOUGH = 20_000_000
 #: Of random input for each target; `make fuzz` gives more.
 SECONDS = int(os.environ.get("FUZZ_SECONDS", "15"))
 #: Kept small: a target reads a few lines or frames, not a file.
@@ -65,8 +67,9 @@ class Fuzzer:
     corpus: Path
     folder: Path
 
-    def finding(self, seconds: int) -> str | None:
-        """Run for some seconds, always in the same order: the first input that fails, and how.
+    def finding(self, seconds: int = 0, inputs: int = -1) -> str | None:
+        """Run for some seconds, or so many inputs, always in the same order: the first input that
+        fails, and how.
 
         Other tests go before: they need so much work, this so much time.
         """
@@ -75,6 +78,7 @@ class Fuzzer:
         options = {
             "seed": 1,
             "max_total_time": seconds,
+            "runs": inputs,
             "max_len": LONGEST_INPUT,
             "timeout": 10,
             "artifact_prefix": f"{self.folder}/found-",
@@ -89,5 +93,5 @@ class Fuzzer:
         )
         if done.returncode == 0:
             return None
-        inputs = "\n".join(repr(path.read_bytes()) for path in self.folder.glob("found-*"))
-        return f"input:\n{inputs or 'none was written'}\n{done.stderr[-4000:]}"
+        found = "\n".join(repr(path.read_bytes()) for path in self.folder.glob("found-*"))
+        return f"input:\n{found or 'none was written'}\n{done.stderr[-4000:]}"

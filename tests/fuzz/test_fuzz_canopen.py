@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from fuzzing import ROOT, SECONDS, Target
+from fuzzing import ENOUGH, ROOT, SECONDS, Target
 
 RUNTIME = ROOT / "runtime"
 CANOPEN = RUNTIME / "canopen"
@@ -118,4 +118,4 @@ def test_any_bytes_from_a_drive_are_taken(name: str, tmp_path: Path) -> None:
 def test_a_seeded_defect_is_found(defect: str, tmp_path: Path) -> None:
     name, source, old, new = DEFECTS[defect]
     seeded = TARGETS[name].with_defect(CANOPEN / f"{source}.c", old, new, tmp_path)
-    assert seeded.build(tmp_path).finding(20) is not None
+    assert seeded.build(tmp_path).finding(inputs=ENOUGH) is not None

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from fuzzing import ROOT, SECONDS, Target
+from fuzzing import ENOUGH, ROOT, SECONDS, Target
 
 CAN = ROOT / "runtime" / "can"
 READER = CAN / "slcan_text.c"
@@ -38,4 +38,4 @@ def test_any_characters_into_the_reader_are_taken(tmp_path: Path) -> None:
 def test_a_seeded_defect_is_found(defect: str, tmp_path: Path) -> None:
     old, new = DEFECTS[defect]
     seeded = SLCAN.with_defect(READER, old, new, tmp_path)
-    assert seeded.build(tmp_path).finding(20) is not None
+    assert seeded.build(tmp_path).finding(inputs=ENOUGH) is not None
