@@ -178,6 +178,7 @@ class Lockstep:
     def exchange_runtime(self, library: ctypes.CDLL) -> None:
         """Go on with another build of the runtime, whose memory has the same layout."""
         self._library = library
+        library.shim_adopt(self._memory)
 
     def set_bus(self, bus: int, state: BusState, full: bool = False) -> None:
         """Fault: bring a bus into a state; full: it takes no frames (ENOBUFS)."""
@@ -245,5 +246,6 @@ ARGUMENTS = {
     "shim_run": [_POINTER, _POINTER, _WORD, _POINTER, _SIZE],
     "shim_give": [_POINTER, ctypes.c_char_p, _SIZE],
     "shim_look": [_POINTER, _POINTER],
+    "shim_adopt": [_POINTER],
     "shim_set_bus": [_POINTER, _SIZE, _WORD, _WORD],
 }

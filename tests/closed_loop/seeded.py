@@ -22,4 +22,6 @@ def runtime_with(name: str, *defects: Defect) -> ctypes.CDLL:
                 assert text.count(right) == 1, right
                 text = text.replace(right, wrong)
         write_whole(build / place, text)
+    for path in {*build.rglob("*.[ch]")} - {build / path.parent.name / path.name for path in texts}:
+        path.unlink(missing_ok=True)  # of a runtime that had other files
     return load(variants.committed(), [build / folder.name for folder in FOLDERS])
