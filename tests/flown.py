@@ -77,7 +77,13 @@ def library_file() -> Path:
 def library() -> ctypes.CDLL:
     """The same, loaded."""
     loaded = ctypes.CDLL(str(library_file()))
-    for name in ("shim_recorder_size", "shim_read_out", "shim_reader_size", "shim_follow"):
+    for name in (
+        "shim_recorder_size",
+        "shim_read_out",
+        "shim_reader_size",
+        "shim_follow",
+        "tb_recording_size",
+    ):
         getattr(loaded, name).restype = ctypes.c_size_t
     return loaded
 

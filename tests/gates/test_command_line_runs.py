@@ -46,7 +46,7 @@ def test_a_wrong_sign_in_the_generated_c_fails_verification(
 ) -> None:
     def seeded(model: Model, accuracies: dict[str, Accuracy]) -> dict[str, str]:
         files = render(model, accuracies)
-        right, wrong = "TB_C(3560.0)", "TB_C(-3560.0)"
+        right, wrong = "TB_WALL_1_STIFFNESS", "-TB_WALL_1_STIFFNESS"
         assert right in files["tb_control.c"]
         return files | {"tb_control.c": files["tb_control.c"].replace(right, wrong, 1)}
 

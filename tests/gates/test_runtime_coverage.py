@@ -48,6 +48,9 @@ LEAST = {
     "core/watch.c": Share(100.0, 95.0),
 }
 
+#: Files that hold tables alone.
+WITHOUT_CODE = {"core/recording_layout.c"}
+
 
 def coverage(folder: Path, *tests: str) -> dict[str, Share]:
     """What these tests go through of every C file of core and canopen."""
@@ -75,6 +78,7 @@ def test_the_tests_go_through_the_runtime(tmp_path: Path) -> None:
         for name in FOLDERS
         for path in (RUNTIME / name).glob("*.c")
     ]
+    files = [file for file in files if file not in WITHOUT_CODE]
     assert {file: reached[file] for file in files if is_missed(file, reached[file])} == {}
 
 

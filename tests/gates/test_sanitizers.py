@@ -71,7 +71,12 @@ def test_nothing_is_found_in_the_generated_c(
     ("sanitizer", "old", "new", "finding"),
     [
         ("undefined", "    return TB_OK;", OVERFLOW, "signed integer overflow"),
-        ("address", "= TB_C(0.005) * tension[3]", "= TB_C(0.005) * tension[4]", "heap-buffer-over"),
+        (
+            "address",
+            "TB_DRUM_RADIUS * tension[3]",
+            "TB_DRUM_RADIUS * tension[4]",
+            "heap-buffer-over",
+        ),
     ],
 )
 def test_a_seeded_fault_is_found(

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flown import SEGMENT_CYCLES, SEGMENTS, Flight, Follower, library_file
+from flown import SEGMENT_CYCLES, SEGMENTS, Flight, Follower, library, library_file
 from numpy.typing import NDArray
 from pyarrow import parquet
 from supervised import CORE, RESET, STOCK, Cause, Observation, Power, State
@@ -123,6 +123,14 @@ def test_a_recording_is_read_as_it_was_recorded(recording: Recording) -> None:
     assert (last["cause"], last["culprit"]) == (Cause.DRIVE_FAULT, 2)
     forces = recording.cycles["seen"]["force"][:, 0]
     assert (forces[0], forces[-1]) == (0.0, 2.0)
+
+
+def test_the_size_of_a_recording_is_known_before_it_is_made(content: bytes) -> None:
+    header = np.frombuffer(content, HEADER, 1)[0]
+    begin = HEADER.itemsize + int(header["layout_rows"]) * ROW.itemsize
+    sizes = [library().tb_recording_size(segments) for segments in (0, 1, SEGMENTS)]
+    assert sizes == [begin + count * int(header["segment_size"]) for count in (0, 1, SEGMENTS)]
+    assert len(content) <= sizes[-1]
 
 
 def test_every_order_is_the_same_again_to_the_bit(
