@@ -13,11 +13,11 @@ from forked import in_a_fork
 from journey import NAMES, Bench, Journey, moment_of, stock
 from pair_verdict import complaints as complaints_of_pair
 from pairs import Pair, run
+from runtime_copy import write_copy
 from trial import Trial
 from verdict import complaints, expected
 
 from turnbuckle.lab.lockstep import FOLDERS, load
-from turnbuckle.model.files import write_whole
 from turnbuckle.places import RUNTIME
 
 BUILD = Path(__file__).parents[2] / "build" / "defects"
@@ -174,11 +174,13 @@ DEFECTS = (
 def defective() -> ctypes.CDLL:
     """The runtime with all defects; `seeded` says which one acts, 0 is none."""
     folders = [BUILD / folder.name for folder in FOLDERS]
-    for folder, copy in zip(FOLDERS, folders, strict=True):
-        for path in folder.glob("*.[ch]"):
-            name = path.relative_to(RUNTIME).as_posix()
-            write_whole(copy / path.name, with_defects(name, path.read_text()))
-    write_whole(folders[0] / "seeded.c", f"{HEADER}int seeded;\n")
+    paths = {
+        path.relative_to(RUNTIME).as_posix(): path
+        for folder in FOLDERS
+        for path in folder.glob("*.[ch]")
+    }
+    files = {name: with_defects(name, path.read_text()) for name, path in paths.items()}
+    write_copy(BUILD, {**files, "core/seeded.c": f"{HEADER}int seeded;\n"})
     return load(stock(), folders)
 
 
