@@ -1,4 +1,4 @@
-#define _DEFAULT_SOURCE /* struct group */
+#define _DEFAULT_SOURCE /* fgetgrent */
 #include <grp.h>
 #include <stdio.h>
 #include <sys/stat.h>
@@ -20,12 +20,28 @@ static tb_can_result proceed(tb_adapter_memory *memory)
     return tb_slcan_proceed(&memory->slcan);
 }
 
+/* Name of a group, "" where /etc/group has none; getgrgid would load libraries of the computer, which
+ * a program that brings its own C library cannot rely on. */
+static const char *name_of_group(gid_t number)
+{
+    FILE *const groups = fopen("/etc/group", "re");
+    if (groups == NULL) {
+        return "";
+    }
+    const struct group *group = fgetgrent(groups);
+    while ((group != NULL) && (group->gr_gid != number)) {
+        group = fgetgrent(groups);
+    }
+    (void)fclose(groups);
+    return (group == NULL) ? "" : group->gr_name;
+}
+
 /* Name of the group that may use a device. */
 static const char *group_of(const char *path)
 {
     struct stat about;
-    const struct group *const group = (stat(path, &about) == 0) ? getgrgid(about.st_gid) : NULL;
-    return (group == NULL) ? "that owns it" : group->gr_name;
+    const char *const name = (stat(path, &about) == 0) ? name_of_group(about.st_gid) : "";
+    return (name[0] == '\0') ? "that owns it" : name;
 }
 
 static const char *advice(tb_can_result result, const char *device, uint32_t bit_rate, size_t room,

@@ -8,18 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "identity.h"
 #include "say.h"
 #include "tb_machine.h"
 
 #define LONGEST_NAME 31     /* of a bus in a machine file */
 #define LONGEST_WAYS 400    /* of words about all adapters */
 #define DEFAULT_PRIORITY 80 /* below the threads of the CAN device's interrupts, above the rest */
-
-#ifdef TB_REAL_FLOAT
-#define PRECISION "float"
-#else
-#define PRECISION "double"
-#endif
 
 static const char usage_of_buses[] =
     "Usage: turnbuckle --bus NAME=ADAPTER:DEVICE ... [options]\n"
@@ -39,7 +34,7 @@ static const char usage_of_the_rest[] =
     "simulated\n"
     "                    drives of turnbuckle run --sim alone\n"
     "  --seal            allow no system call that the control loop does not need\n"
-    "  --version         print the machine's name and hash\n"
+    "  --version         print machine and hash, precision, version, processor\n"
     "  --help            print this\n"
     "\n"
     "SIGINT and SIGTERM stop the machine softly. Once more ends the program at once: then the\n"
@@ -224,7 +219,7 @@ static tb_options_answer read_option(int letter, char *argv[], tb_options *optio
         print_usage();
         return TB_OPTIONS_DONE;
     case 'v':
-        tb_print("%s %s, %s", TB_MACHINE_NAME, TB_MACHINE_HASH, PRECISION);
+        tb_print("%s", tb_identity_text());
         return TB_OPTIONS_DONE;
     case ':':
         tb_say("%s: a value is missing; --help lists the options", argv[optind - 1]);
