@@ -54,17 +54,31 @@ def compile_program(
     return compiled(sources, include, precision, (), "")
 
 
+def compile_static(
+    sources: Sequence[Path], include: Sequence[Path], precision: str, compiler: str
+) -> Path:
+    """Executable for another computer, with its C library inside; otherwise as compile_program.
+
+    A warning of the linker is an error: it tells of what would need that computer's library.
+    """
+    return compiled(sources, include, precision, ("-static", "-Wl,--fatal-warnings"), "", compiler)
+
+
 def compiled(
     sources: Sequence[Path],
     include: Sequence[Path],
     precision: str,
     kind: Sequence[str],
     suffix: str,
+    command: str | None = None,
 ) -> Path:
-    """What the compiler makes of the sources; made before, it is not made again."""
+    """What the compiler makes of the sources; made before, it is not made again.
+
+    command: the compiler with its options; None for that of the environment's CC, or gcc.
+    """
     if precision not in PRECISIONS:
         raise ValueError(f"precision {precision!r}: choose one of {', '.join(PRECISIONS)}")
-    compiler, *extra = shlex.split(os.environ.get("CC") or "gcc")
+    compiler, *extra = shlex.split(command or os.environ.get("CC") or "gcc")
     own = () if "clang" in compiler else GCC_FLAGS
     flags = [*extra, *FLAGS, *own, *PRECISIONS[precision], *kind]
     product = LIBRARIES / f"{key(sources, include, [compiler, *flags])}{suffix}"

@@ -17,6 +17,7 @@ from turnbuckle.codegen.project.command_line import new, runtime
 from turnbuckle.extras import extra_of
 from turnbuckle.lab.analysis.command_line import analyze, compare
 from turnbuckle.lab.command_line import demo
+from turnbuckle.lab.deploy.command_line import deploy, info, rollback
 from turnbuckle.lab.design.command_line import optimise, study
 from turnbuckle.lab.flight.command_line import log, replay
 from turnbuckle.lab.live.command_line import monitor, run
@@ -123,6 +124,9 @@ COMMANDS: tuple[Callable[..., None], ...] = (
     monitor,
     replay,
     log,
+    deploy,
+    rollback,
+    info,
     runtime,
 )
 """In the order of --help."""

@@ -16,11 +16,7 @@ def build_program(machine: Machine, precision: str = "double") -> Path:
 
     Raises LiveError for a machine without buses, CompileError without a working C compiler.
     """
-    if not machine.buses:
-        raise LiveError(
-            f"{machine.path}: bus: found none; allowed: at least one [[bus]] and a [[drive]] for"
-            " every cable and rail, to run the machine"
-        )
+    refuse_without_buses(machine)
     return compile_machine(generate_into_cache(machine), precision)
 
 
@@ -28,3 +24,12 @@ def compile_machine(folder: Path, precision: str = "double") -> Path:
     """The executable around a machine's generated folder."""
     sources = [path for each in (folder, *FOLDERS) for path in sorted(each.glob("*.c"))]
     return compile_program(sources, [folder, *FOLDERS], precision)
+
+
+def refuse_without_buses(machine: Machine) -> None:
+    """LiveError for a machine that no program can run."""
+    if not machine.buses:
+        raise LiveError(
+            f"{machine.path}: bus: found none; allowed: at least one [[bus]] and a [[drive]] for"
+            " every cable and rail, to run the machine"
+        )
