@@ -66,7 +66,8 @@ class SshHost:
             "AuthenticationMethods publickey\n"
             "PermitRootLogin prohibit-password\n"
             "StrictModes no\n"
-            f"SetEnv PATH={self.tools}:{path}\n"
+            # With a shell level bash does not read the user's start files, which may change the path.
+            f"SetEnv PATH={self.tools}:{path} SHLVL=1\n"
         )
 
     def tool(self, name: str, script: str) -> None:
@@ -75,6 +76,11 @@ class SshHost:
         path = self.tools / name
         path.write_text("#!/bin/sh\n" + script.replace("{real}", found.stdout.strip()))
         path.chmod(0o755)
+
+    def await_end(self) -> None:
+        """Wait until everything that was begun here has ended."""
+        for connection in self._connections:
+            connection.wait()
 
     def close(self) -> None:
         """Take no connection any more, and end those that are there."""

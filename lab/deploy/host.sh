@@ -14,7 +14,8 @@ export LC_ALL=C
 unset CDPATH
 
 refuse() { # REASON WORDS...
-  echo "refused $*" | tr '\n' ' '
+  set -f
+  echo refused $* # in one line, whatever the words hold
   exit 1
 }
 
@@ -41,7 +42,7 @@ lock() { # until the end; others wait
 }
 
 ask() { # FOLDER
-  for tool in sha256sum flock timeout mktemp readlink; do
+  for tool in sha256sum flock timeout mktemp readlink awk sed find; do
     command -v "$tool" >/dev/null || refuse tool "$tool"
   done
   echo "machine $(uname -m)"
@@ -64,7 +65,7 @@ receive() { # FOLDER SHA256 IDENTITY; the program comes on the standard input
   chmod 755 "$copy"
   words=$(timeout 60 "./$copy" --version 2>&1) || refuse start "$words"
   [ "$words" = "$3" ] || refuse start "$words"
-  timeout 60 sync || refuse write sync
+  timeout 60 sync "$copy" || refuse write sync # on the disk, before a link leads there
   lock
   tell before turnbuckle
   old=$(linked turnbuckle)

@@ -3,6 +3,8 @@
 import re
 from typing import Protocol
 
+#: Of Debian, with programs that host.sh needs and coreutils does not have.
+PACKAGES = {"flock": "util-linux", "awk": "mawk", "sed": "sed", "find": "findutils"}
 KEPT = "the program that was there is still in its place"
 
 
@@ -34,7 +36,7 @@ def unreached(host: str, command: Command, said: str) -> str:
 
 def refused(host: str, command: Command, reason: str, words: str) -> str:
     """Why host.sh has refused, by its reason."""
-    package = "util-linux" if words == "flock" else "coreutils"
+    package = PACKAGES.get(words, "coreutils")
     made = command('sudo install -d -o "$USER" /opt/turnbuckle', terminal=True)
     by_root = f"sudo install -m 644 {words} /etc/systemd/system && sudo systemctl daemon-reload"
     known = {
@@ -45,8 +47,8 @@ def refused(host: str, command: Command, reason: str, words: str) -> str:
         "write": f"the program could not be written there: {words}; {KEPT}; make room, as"
         f" {command('df -h')} shows",
         "changed": f"what arrived is not what was sent, by its sha256; {KEPT}; deploy again",
-        "start": f"the program does not start there: {words}; {KEPT}; see that the folder's file"
-        f" system is not mounted noexec: {command('mount')}",
+        "start": f"the program does not start there: {words or 'killed'}; {KEPT}; see what the"
+        f" computer is, and that no noexec is on the folder: {command('uname -a; mount')}",
         "busy": f"another deploy holds the folder for a minute already; {KEPT}; see it with"
         f" {command('ps aux')}",
         "previous": "there is no program before the one in use, so none to go back to; deploy the"
