@@ -23,7 +23,7 @@ TEST_SETUP := $(call stamp,test_setup,requirements-dev.lock .ci/packages_of_test
 INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check
 PINNED := --only-binary :all: --require-hashes --requirement
 
-.PHONY: all help setup generate verify build demo test soak campaign fuzz mutants figures bench docs format lint lock clean distclean
+.PHONY: all help setup generate verify build demo deploy rollback test soak campaign fuzz mutants figures bench docs format lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -96,6 +96,13 @@ build/%/turnbuckle: $$(wildcard generated/$$*/*.[ch] runtime/*/*.[ch] runtime/po
 
 demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 	@$(TURNBUCKLE) demo $(MACHINE)
+
+# HOST: a computer that ssh reaches; OPTIONS: such as --unit.
+deploy rollback: $(SETUP) # with HOST
+	@$(TURNBUCKLE) $@ $(MACHINE) $(or $(HOST),$(error make $@ HOST=user@computer: HOST is missing)) $(OPTIONS)
+
+deploy: ## build MACHINE's program for the computer HOST and bring it there: docs/deploying.md
+rollback: ## switch HOST back to the program before
 
 # One more than there are cores: some tests wait, for simulated drives or another process.
 WORKERS ?= $(shell expr $$(nproc) + 1)

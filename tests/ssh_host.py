@@ -66,7 +66,7 @@ class SshHost:
             "AuthenticationMethods publickey\n"
             "PermitRootLogin prohibit-password\n"
             "StrictModes no\n"
-            # With a shell level bash does not read the user's start files, which may change the path.
+            # With a shell level bash reads no start files of the user's: they may change the path.
             f"SetEnv PATH={self.tools}:{path} SHLVL=1\n"
         )
 
@@ -76,11 +76,6 @@ class SshHost:
         path = self.tools / name
         path.write_text("#!/bin/sh\n" + script.replace("{real}", found.stdout.strip()))
         path.chmod(0o755)
-
-    def await_end(self) -> None:
-        """Wait until everything that was begun here has ended."""
-        for connection in self._connections:
-            connection.wait()
 
     def close(self) -> None:
         """Take no connection any more, and end those that are there."""
@@ -100,7 +95,7 @@ class SshHost:
                 return
             with connection:
                 self._connections.append(
-                    subprocess.Popen(words, stdin=connection, stdout=connection)
+                    subprocess.Popen(words, stdin=connection.fileno(), stdout=connection.fileno())
                 )
 
 

@@ -48,9 +48,9 @@ def deploy(
     ] = "double",
     ssh: Ssh = "ssh",
 ) -> None:
-    """Build a machine's program for another computer, and bring it there.
+    """Bring a machine's program to another computer.
 
-    Asks the host by ssh what it is, compiles for it, copies the program,
+    Asks the host by ssh what it is, compiles the program for it, copies it,
     checks there what arrived and that it starts, and switches to it at once;
     the program before is kept, for the command rollback. A program that runs
     goes on until it is started again. Where anything fails, the host stays
@@ -97,9 +97,10 @@ def rollback(
     ] = False,
     ssh: Ssh = "ssh",
 ) -> None:
-    """Switch another computer back to the program before the last deploy.
+    """Switch another computer back to the program before.
 
-    At once, and without building anything; once more switches forward again.
+    That of before the last deploy, at once, without building anything; once
+    more switches forward again.
     A program that runs goes on until it is started again.
 
     \b

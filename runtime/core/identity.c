@@ -25,8 +25,3 @@
 
 const char tb_identity[] = TB_IDENTITY_MARK TB_MACHINE_NAME
     " " TB_MACHINE_HASH ", " PRECISION ", Turnbuckle " TB_RUNTIME_VERSION_TEXT ", " PROCESSOR;
-
-const char *tb_identity_text(void)
-{
-    return tb_identity + sizeof TB_IDENTITY_MARK - 1u;
-}

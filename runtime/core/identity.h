@@ -13,7 +13,7 @@ extern "C" {
 extern const char tb_identity[];
 
 /** The text without its mark. */
-const char *tb_identity_text(void);
+#define TB_IDENTITY_TEXT (tb_identity + sizeof TB_IDENTITY_MARK - 1u)
 
 #ifdef __cplusplus
 }

@@ -27,10 +27,13 @@ COMMANDS: Sequence[tuple[int, str]] = (
     (0, "monitor yoon_fixed_diagonal --once --telemetry t"),
     (0, "log flight.dump --out flight.parquet --plot flight.png"),
     (0, "replay flight.dump"),
+    (2, "deploy yoon2023 ssh://nobody@127.0.0.1:1"),  # nobody is there
+    (2, "rollback yoon2023 ssh://nobody@127.0.0.1:1"),
+    (2, "info flight.dump"),
     (3, "optimise brau_triangle --search local --vary tension.max=9N..10N"),
     (0, "study brau_triangle --vary tension.max=9N..10N:2 --out study"),
 )
-"""Each with its exit status: 3 says that nothing better was found."""
+"""Each with its exit status: 2 refuses, 3 says that nothing better was found."""
 
 
 @contextmanager

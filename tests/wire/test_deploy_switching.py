@@ -56,7 +56,7 @@ class There:
 
     def rollback(self, **environment: str) -> "subprocess.CompletedProcess[str]":
         """Switch back."""
-        return self.run(["rollback", str(self.folder)], **environment)
+        return self.run(["rollback", str(self.folder)], None, **environment)
 
     def state(self) -> tuple[int | None, int | None]:
         """Versions in use and before; None for none. Each is whole."""
@@ -207,7 +207,7 @@ def test_what_does_not_start_there_is_never_switched_to(there: There, tmp_path: 
     done = there.run(
         ["receive", str(there.folder), sha256(there.versions[1]), other], there.versions[1]
     )
-    assert told(done)["refused"] == f"start {there.identity} "
+    assert told(done)["refused"] == f"start {there.identity}"
     assert (there.state(), there.entries()) == ((0, None), 5)
 
 

@@ -219,7 +219,7 @@ static tb_options_answer read_option(int letter, char *argv[], tb_options *optio
         print_usage();
         return TB_OPTIONS_DONE;
     case 'v':
-        tb_print("%s", tb_identity_text());
+        tb_print("%s", TB_IDENTITY_TEXT);
         return TB_OPTIONS_DONE;
     case ':':
         tb_say("%s: a value is missing; --help lists the options", argv[optind - 1]);
