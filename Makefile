@@ -13,7 +13,7 @@ MACHINE ?= machines/yoon2023.toml
 VENV := .venv
 TURNBUCKLE := $(VENV)/bin/turnbuckle
 MACHINES := $(sort $(wildcard machines/*.toml))
-TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire closed_loop faults gates fuzz))
+TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire closed_loop faults gates fuzz target))
 
 # A stamp's name holds the hash of all that a set-up depends on: when it exists there is nothing to do.
 # What only tests need is a set-up of its own, so that a newcomer's first `make` does not wait for it.
