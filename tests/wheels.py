@@ -13,7 +13,17 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 BUILT_FROM = ("turnbuckle", "model", "codegen", "lab", "runtime", "machines")
 OF_THE_REPOSITORY = {
-    f"turnbuckle/lab/{name}" for name in ("benchmark", "figures", "mutants", "pages", "soak")
+    f"turnbuckle/lab/{name}"
+    for name in (
+        "benchmark",
+        "budgets",
+        "emulated",
+        "figures",
+        "mutants",
+        "pages",
+        "soak",
+        "vectors",
+    )
 }
 
 

@@ -34,6 +34,13 @@ PATIENCE = 120
 """Seconds that an answer may take."""
 
 
+def emulator_command(processor: Processor, image: Path) -> list[str]:
+    """What starts the emulator with an image; the image reads and writes in the working folder."""
+    quiet = ["-display", "none", "-monitor", "none", "-serial", "none"]
+    files = ["-semihosting-config", "enable=on,target=native"]
+    return [EMULATOR, "-M", processor.board, *quiet, *files, "-kernel", str(image)]
+
+
 class TargetError(RuntimeError):
     """The emulator, or the program in it, has ended or does not answer."""
 
@@ -76,10 +83,8 @@ class Target:
         pipes = [Path(self._folder.name) / name for name in ("to_target", "from_target")]
         for pipe in pipes:
             os.mkfifo(pipe)
-        options = ["-display", "none", "-monitor", "none", "-serial", "none"]
-        options += ["-semihosting-config", "enable=on,target=native", "-kernel", str(image)]
         self._emulator = subprocess.Popen(
-            [EMULATOR, "-M", processor.board, *options],
+            emulator_command(processor, image),
             cwd=self._folder.name,
             stdin=subprocess.DEVNULL,
             preexec_fn=partial(hear_of_death, signal.SIGKILL),

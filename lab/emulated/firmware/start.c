@@ -12,7 +12,7 @@
 extern uint32_t stack_bottom[], stack_top[], data_start[], data_end[], data_load[], bss_start[],
     bss_end[];
 extern int main(void);
-void reset(void);
+__attribute__((externally_visible)) void reset(void); /* the linker looks for its name */
 void fault(void);
 uint32_t stack_used(void);
 
