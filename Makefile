@@ -23,7 +23,7 @@ TEST_SETUP := $(call stamp,test_setup,requirements-dev.lock .ci/packages_of_test
 INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check
 PINNED := --only-binary :all: --require-hashes --requirement
 
-.PHONY: all help setup generate verify build demo deploy rollback test soak campaign fuzz mutants figures bench docs format lint lock clean distclean
+.PHONY: all help setup generate verify build demo deploy rollback test soak campaign fuzz mutants figures bench budgets docs format lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -110,9 +110,10 @@ WORKERS ?= $(shell expr $$(nproc) + 1)
 test: lint ## lint, then every test; installs what only they need
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist worksteal $(TEST_FOLDERS)
 
-soak: $(TEST_SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires
+soak: $(TEST_SETUP) ## ten simulated minutes of the stock machine twice, the same to the bit; every machine on its worst wires; budgets
 	$(VENV)/bin/python -m turnbuckle.lab.soak $(CYCLES:%=--cycles %)
 	$(VENV)/bin/python -m pytest tests/wire/every_machine_on_its_wires.py
+	$(VENV)/bin/python -m turnbuckle.lab.budgets --check
 
 campaign: $(TEST_SETUP) ## inject every fault at every moment again, and pairs: docs/fault-campaign.md
 	rm -rf build/fault_campaign build/fault_campaign.md
@@ -131,6 +132,9 @@ figures: $(TEST_SETUP) ## draw the papers' figures again: docs/figures.md and do
 
 bench: $(TEST_SETUP) ## time our C against what one would use instead; writes build/bench.json
 	$(VENV)/bin/python -m turnbuckle.lab.benchmark
+
+budgets: $(TEST_SETUP) ## count instructions, flash, RAM and stack on a Cortex-M4F again: docs/budgets, README.md
+	$(VENV)/bin/python -m turnbuckle.lab.budgets
 
 # The site's generator has an environment of its own: nothing else needs it.
 SITE_VENV := .venv-docs

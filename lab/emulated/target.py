@@ -25,7 +25,7 @@ from turnbuckle.lab.lockstep import FRAME, BusState
 EMULATOR = "qemu-system-arm"
 REQUEST = Struct("<II")
 WORD = Struct("<I")
-FACTS = Struct("<III")
+FACTS = Struct("<4I")
 AT_ONCE = 65536
 """Bytes read at once."""
 LOOKS = 0.5
@@ -67,6 +67,8 @@ class Facts:
     """The rows that describe tb_wishes, tb_view and the enumerations."""
     stack: int
     """Bytes of the stack that have been in use."""
+    master: int
+    """Address of the tb_master."""
 
 
 class Target:
@@ -112,8 +114,8 @@ class Target:
     def facts(self) -> Facts:
         """What the program says about itself, when all answers have been read."""
         self._ask(Command.DESCRIBE)
-        identity, size, stack = FACTS.unpack(self._read(FACTS.size))
-        return Facts(identity >> 4 & 0xFFF, self._read(size), stack)
+        identity, size, stack, master = FACTS.unpack(self._read(FACTS.size))
+        return Facts(identity >> 4 & 0xFFF, self._read(size), stack, master)
 
     def variables(self) -> bytes:
         """All its variables, as they are in its memory, when all answers have been read."""

@@ -8,7 +8,7 @@ import ctypes
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
@@ -124,13 +124,20 @@ class Twin:
             )
 
 
+SomeTwin = TypeVar("SomeTwin", bound=Twin)
+
+
 @contextmanager
 def twins(
-    generated: Generated, machine: SimulatedMachine, processor: Processor, image: Path
-) -> Iterator[tuple[Lockstep, Twin]]:
+    generated: Generated,
+    machine: SimulatedMachine,
+    processor: Processor,
+    image: Path,
+    kind: type[SomeTwin],
+) -> Iterator[tuple[Lockstep, SomeTwin]]:
     """A machine at power-on, its master on this computer and, from an image, on a processor."""
     lockstep = Lockstep(generated, machine)
     with Target(processor, image, lockstep.view.dtype.itemsize) as target:
-        twin = Twin(load(generated), target)
+        twin = kind(load(generated), target)
         lockstep.exchange_runtime(cast(ctypes.CDLL, twin))
         yield lockstep, twin

@@ -44,7 +44,7 @@ def power_on(generated: Generated, processor: Processor, image: Path) -> Machine
     machine = generated.machine
     task = plan_task(generated)
     simulated = SimulatedMachine(machine, plant_of(machine), task, NEAR_THEIR_STOPS)
-    return twins(generated, simulated, processor, image)
+    return twins(generated, simulated, processor, image, Twin)
 
 
 def bring_up(lockstep: Lockstep) -> None:

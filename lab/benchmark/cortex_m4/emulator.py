@@ -61,9 +61,11 @@ def thumb_instructions(code: bytes) -> int:
 class Emulator:
     """One program in flash, with room in RAM to place arguments."""
 
-    def __init__(self, program: Path) -> None:
-        """Load an ELF file that was linked to FLASH and RAM."""
+    def __init__(self, program: Path, more: Sequence[tuple[int, int]] = ()) -> None:
+        """Load an ELF file that was linked to FLASH and RAM; more: memory, addresses and sizes."""
         self._cpu = cortex_m4()
+        for address, size in more:
+            self._cpu.mem_map(address, size)
         self._count = 0
         self._lengths: dict[tuple[int, int], int] = {}
         self._cpu.hook_add(UC_HOOK_BLOCK, self._on_block)
@@ -96,6 +98,10 @@ class Emulator:
         self._next += (len(data) + 7) // 8 * 8
         return address
 
+    def put(self, address: int, data: bytes) -> None:
+        """Put data to an address."""
+        self._cpu.mem_write(address, data)
+
     def place_floats(self, values: Sequence[float] | NDArray[np.floating[Any]]) -> int:
         """Put single-precision numbers into RAM; returns their address."""
         return self.place(np.asarray(values, np.float32).tobytes())
@@ -107,6 +113,12 @@ class Emulator:
     def read_floats(self, address: int, count: int) -> Floats:
         """Single-precision numbers from RAM."""
         return np.frombuffer(bytes(self._cpu.mem_read(address, 4 * count)), np.float32)
+
+    @property
+    def return_address(self) -> int:
+        """Where the function that has just been entered returns to."""
+        address: int = self._cpu.reg_read(UC_ARM_REG_LR)
+        return address
 
     def call(self, name: str, *words: int) -> int:
         """Call a function with integers or addresses; returns the instructions it took.

@@ -84,7 +84,8 @@ static void set_bus(uint32_t number)
 
 static void describe(void)
 {
-    uint32_t const facts[] = {CPUID, (uint32_t)sizeof shim_layout, stack_used()};
+    uint32_t const master = (uint32_t)(uintptr_t)&machine.master;
+    uint32_t const facts[] = {CPUID, (uint32_t)sizeof shim_layout, stack_used(), master};
     put(facts, sizeof facts);
     put(shim_layout, sizeof shim_layout);
 }
