@@ -14,7 +14,6 @@ from typing import Any
 
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.lab.benchmark.cortex_m4.emulator import RAM, Emulator
-from turnbuckle.lab.emulated.image import lockstep_image
 from turnbuckle.lab.emulated.processor import M4F
 from turnbuckle.lab.emulated.target import Target
 from turnbuckle.lab.emulated.twin import Twin, twins
@@ -118,9 +117,11 @@ class CycleCounter(Emulator):
         return name
 
 
-def count_cycles(generated: Generated, machine: SimulatedMachine) -> Counts:
-    """Bring a machine up from power-on, let it work, and count; RuntimeError where it fails."""
-    image = lockstep_image(M4F, generated.folder)
+def count_cycles(generated: Generated, machine: SimulatedMachine, image: Path) -> Counts:
+    """Bring a machine up from power-on, let it work, and count; RuntimeError where it fails.
+
+    image: the lockstep's, of this machine.
+    """
     with twins(generated, machine, M4F, image, Watched) as (lockstep, twin):
         if lockstep.bring_up(LONGEST) is not State.RUN:
             raise RuntimeError(f"{generated.machine.name} does not come to RUN: {lockstep.view}")

@@ -1,10 +1,14 @@
 """Measures the budget of a stock machine."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.lab.budgets.cycle import Counts, count_cycles
+from turnbuckle.lab.emulated.image import lockstep_image
+from turnbuckle.lab.emulated.processor import M4F
 from turnbuckle.lab.live.run import bench_of
+from turnbuckle.lab.lockstep import FOLDERS
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.reading import load_machine
 
@@ -19,13 +23,15 @@ def machines() -> list[str]:
     return sorted(path.parent.name for path in GENERATED.glob("*/tb_drives.c"))
 
 
-def counts_of(name: str) -> Counts:
-    """Instructions of cycles in RUN."""
+def counts_of(name: str, folders: Sequence[Path] = FOLDERS) -> Counts:
+    """Instructions of cycles in RUN. folders: of the runtime's core and canopen."""
     machine = stock(name)
     bench = bench_of(machine)
     if machine.rails:
         bench = bench._replace(rails=[AT_STOPS] * len(machine.rails))
-    return count_cycles(Generated(machine, GENERATED / name, "float"), bench.power_on())
+    generated = Generated(machine, GENERATED / name, M4F.precision)
+    image = lockstep_image(M4F, generated.folder, folders=folders)
+    return count_cycles(generated, bench.power_on(), image)
 
 
 def stock(name: str) -> Machine:

@@ -4,7 +4,9 @@ import re
 from functools import cache
 
 import pytest
+from runtime_copy import seeded_copy
 
+from turnbuckle.lab.budgets.__main__ import main
 from turnbuckle.lab.budgets.budget import (
     TOLERANCE,
     UNITS,
@@ -29,6 +31,13 @@ from turnbuckle.lab.budgets.table import PAGE, with_table
 
 BROUGHT_UP = ["yoon2023", "yoon_fixed_diagonal"]
 """Machines that come to RUN in seconds; `make soak` counts the cycles of the others too."""
+LOOP = (
+    "core/master.c",
+    "master->fieldbus->protocol->sync(master->fieldbus);",
+    """for (volatile int i = 0; i < 60; i++) { /* about 400 instructions */
+    }
+    master->fieldbus->protocol->sync(master->fieldbus);""",
+)
 LOCKSTEP = 128
 """Bytes of stack that the lockstep's own functions take, at most."""
 
@@ -89,6 +98,19 @@ def test_a_figure_that_is_off_either_way_is_told(name: str, change: float) -> No
     assert budget.complaints({name: round(right * change) - outward}) == []
     (told,) = budget.complaints({name: round(right * change) + outward})
     assert re.match(rf"docs/budgets/yoon2023.json: {name}: found \d+ \w+; allowed: {right} ", told)
+
+
+def test_a_cycle_with_a_loop_more_is_off_its_budget() -> None:
+    folders = seeded_copy(GENERATED.parent / "build" / "seeded" / "loop_in_sync", LOOP)
+    figures = of_counts(counts_of("yoon_fixed_diagonal", folders))
+    told = budget_of("yoon_fixed_diagonal").complaints(figures)
+    assert [each.split(": ")[1] for each in told] == ["cycle_mean", "cycle_most"]
+
+
+def test_a_machine_that_is_none_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main(["nobody"])
+    assert "found nobody; allowed: spidar_g, yoon2023" in capsys.readouterr().err
 
 
 def test_more_code_and_a_larger_frame_are_off_their_budgets() -> None:

@@ -5,7 +5,7 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
-from runtime_copy import write_copy
+from runtime_copy import seeded_copy
 
 from turnbuckle.codegen.bind import Generated
 from turnbuckle.lab.demo import plan_task, plant_of
@@ -13,7 +13,7 @@ from turnbuckle.lab.emulated.image import lockstep_image
 from turnbuckle.lab.emulated.processor import M4F, M7, Processor
 from turnbuckle.lab.emulated.target import Target, TargetError
 from turnbuckle.lab.emulated.twin import Difference, Twin, twins
-from turnbuckle.lab.lockstep import FOLDERS, BusState, Lockstep, State, layouts_of, load
+from turnbuckle.lab.lockstep import BusState, Lockstep, State, layouts_of, load
 from turnbuckle.lab.machine_sim import SimulatedMachine
 
 ROOT = Path(__file__).parents[2]
@@ -27,14 +27,14 @@ FAULTED = "status 113"
 """What start.c ends with after a fault of the processor."""
 CYCLES_TO_ARITHMETIC = 10
 """In so many the program computes with real numbers."""
-ORDER = "order->torque = drive->sent;"
-"""Where setpoints.c writes the torque that a drive is to give."""
 ONE_BIT = """order->torque = drive->sent;
         static uint32_t orders;
         uint32_t bits;
         __builtin_memcpy(&bits, &order->torque, sizeof bits);
         bits ^= (++orders == 4000u) ? 1u : 0u;
         __builtin_memcpy(&order->torque, &bits, sizeof bits);"""
+DEFECT = ("core/setpoints.c", "order->torque = drive->sent;", ONE_BIT)
+SEEDED = ROOT / "build" / "seeded" / "one_bit_of_an_order"
 
 Machine = AbstractContextManager[tuple[Lockstep, Twin]]
 
@@ -102,7 +102,7 @@ def test_a_contraction_to_fused_operations_is_noticed(on: Processor, generated: 
 
 @on_m4f
 def test_one_bit_of_one_order_is_noticed(on: Processor, generated: Generated) -> None:
-    image = lockstep_image(on, generated.folder, folders=seeded_copy())
+    image = lockstep_image(on, generated.folder, folders=seeded_copy(SEEDED, DEFECT))
     with (
         power_on(generated, on, image) as (lockstep, _),
         pytest.raises(Difference, match=r"cycle \d+: ordered\[\d\]") as found,
@@ -124,17 +124,3 @@ def test_a_program_for_a_cortex_m7_faults_on_a_cortex_m4(double: Generated) -> N
                 target.ask_run(bytes(wishes), 0)
                 target.read_view()
                 target.read_sent()
-
-
-def seeded_copy() -> list[Path]:
-    """The runtime, in which the least bit of one order is another."""
-    build = ROOT / "build" / "seeded" / "one_bit_of_an_order"
-    files = {
-        f"{folder.name}/{path.name}": path.read_text()
-        for folder in FOLDERS
-        for path in folder.glob("*.[ch]")
-    }
-    assert files["core/setpoints.c"].count(ORDER) == 1
-    files["core/setpoints.c"] = files["core/setpoints.c"].replace(ORDER, ONE_BIT)
-    write_copy(build, files)
-    return [build / folder.name for folder in FOLDERS]
