@@ -21,7 +21,7 @@ def linked(
 ) -> Path:
     """A program; CompileError with the compiler's words where there is none."""
     options = [*processor.flags, *RECORDER, *flags]
-    read = [*sources, script]
+    read = [*sources, SHIM, script]  # the lockstep's program includes the shim
     name = key(read, include, [COMPILER, *options, *LINK])
     product = LIBRARIES.parent / "images" / f"{name}.elf"
     if not product.exists():

@@ -108,31 +108,19 @@ def whole(generated: Path, more: Sequence[Path]) -> tuple[Path, list[Path]]:
     return source, [generated, CORE, PROGRAM]
 
 
-def emulated(emulator: str, triple: str) -> tuple[str, ...]:
-    """The command that runs a program of another Linux computer."""
-    return (emulator, "-L", f"/usr/{triple}")
+def elsewhere(name: str, precision: str, triple: str, emulator: str) -> LinuxPlatform:
+    """Another Linux computer than this one."""
+    return LinuxPlatform(name, precision, f"{triple}-gcc", (emulator, "-L", f"/usr/{triple}"))
 
 
 HOST = {each: LinuxPlatform("x86-64, gcc", each, "gcc") for each in PRECISIONS}
 PLATFORMS: tuple[Platform, ...] = (
     *HOST.values(),
     LinuxPlatform("x86-64, clang", "double", "clang"),
-    LinuxPlatform(
-        "AArch64", "double", "aarch64-linux-gnu-gcc", emulated("qemu-aarch64", "aarch64-linux-gnu")
-    ),
-    LinuxPlatform(
-        "ARMv7",
-        "float",
-        "arm-linux-gnueabihf-gcc",
-        emulated("qemu-arm", "arm-linux-gnueabihf"),
-    ),
-    LinuxPlatform(
-        "RISC-V 64",
-        "double",
-        "riscv64-linux-gnu-gcc",
-        emulated("qemu-riscv64", "riscv64-linux-gnu"),
-    ),
+    elsewhere("AArch64", "double", "aarch64-linux-gnu", "qemu-aarch64"),
+    elsewhere("ARMv7", "float", "arm-linux-gnueabihf", "qemu-arm"),
+    elsewhere("RISC-V 64", "double", "riscv64-linux-gnu", "qemu-riscv64"),
     CortexPlatform(M4F),
     CortexPlatform(M7),
 )
-"""All that are tried."""
+"""All that are tried; tests/gates/test_targets.py tries all functions of one machine in both."""
