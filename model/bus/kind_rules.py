@@ -33,7 +33,11 @@ def modes_of_kinds(machine: Machine, tables: Tables) -> Found:
         kind = DRIVE_KINDS[drive.kind]
         if drive.mode not in kind.modes:
             allowed = f"{_quoted(kind.modes.keys() - {'homing'})} for the {kind.meaning}"
-            yield problem_at(tables, ("drive", i, "mode"), allowed)
+            location = ("drive", i, "mode")
+            if "mode" in tables["drive"][i]:
+                yield problem_at(tables, location, allowed)
+            else:
+                yield Problem(key_path(location), f"{shown(drive.mode)}, the default", allowed)
         if drive.name not in cables and kind.homing is None:
             found = f"{shown(kind.name)}, which finds no stop"
             yield Problem(key_path(("drive", i, "kind")), found, "a kind that can home a base")

@@ -22,8 +22,8 @@ from turnbuckle.lab.machine_sim import SimulatedMachine
 from turnbuckle.lab.task import Task
 from turnbuckle.model.bus.axis import axes
 from turnbuckle.model.bus.contract import contract, identity
-from turnbuckle.model.bus.drive_kinds import DRIVE_KINDS
-from turnbuckle.model.bus.drive_kinds.kind import DriveError, DriveKind
+from turnbuckle.model.bus.drive_kinds import DRIVE_KINDS, by_name, epos4
+from turnbuckle.model.bus.drive_kinds.kind import DriveError, DriveKind, Setting
 from turnbuckle.model.machine import Machine
 from turnbuckle.model.problem import MachineError
 from turnbuckle.model.reading import machine_from
@@ -238,6 +238,38 @@ def test_a_base_needs_a_drive_that_finds_the_stop(
         MachineError, match=r"drive\[7\]\.kind: found \"acme\", which finds no stop"
     ):
         machine_of(tables())
+
+
+def test_a_kind_without_the_mode_that_a_drive_has_by_default_is_refused(
+    acme: DriveKind, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(DRIVE_KINDS, "acme", replace(acme, modes={"position": 8, "homing": 6}))
+    message = r'drive\[2\]\.mode: found "torque", the default; allowed: "position" for the Acme S1'
+    with pytest.raises(MachineError, match=message):
+        machine_of(tables())
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"modes": {"torqe": -2, "homing": 6}}, "`modes` has torqe; allowed: homing, position"),
+        ({"modes": {"torque": -2}}, "`modes` has no homing"),
+        ({"pdos": 0}, "`pdos` is 0"),
+        ({"settings": (Setting(0x2070, 0, 3, 1, "any"),)}, "object 2070:00 has 3 bytes"),
+        ({"lacks": frozenset({0x1016})}, "without 1016; `lacks` may name 1029, 605B, 605C, 605E"),
+    ],
+)
+def test_a_slip_in_the_file_of_a_kind_is_told_where_it_stands(
+    acme: DriveKind, changes: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(ValueError, match=f"acme: .*{message}"):
+        replace(acme, **changes)
+
+
+def test_no_kind_takes_the_name_of_another(acme: DriveKind) -> None:
+    assert by_name(epos4.KIND, acme) == {"epos4": epos4.KIND, "acme": acme}
+    with pytest.raises(ValueError, match="two kinds of drives share a name: epos4, epos4"):
+        by_name(epos4.KIND, replace(acme, name="epos4"))
 
 
 def test_a_kind_that_does_not_miss_the_master_is_none(acme: DriveKind) -> None:

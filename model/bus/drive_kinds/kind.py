@@ -7,7 +7,7 @@ the way of homing.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Protocol
@@ -245,6 +245,9 @@ class Simulated:
 
 #: Objects of CiA 301 and CiA 402 that are written where a drive has them.
 OPTIONAL = frozenset({0x1029, 0x605B, 0x605C, 0x605E})
+MODES = frozenset({"torque", "position", "homing"})
+SIZES = frozenset({1, 2, 4})
+"""Of what is written or read at once [bytes]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,10 +255,10 @@ class DriveKind:
     """A kind of drive.
 
     name: in machine files; vendor: 1018:1; torque: a unit of 6071 and 6077 [N m], torque_unit: the
-    same in words; modes: codes of
-    6060 for "torque", "homing" and, where the drive follows positions, "position"; pdos: either
-    way, of which all but the first are switched off; lacks: which of OPTIONAL the drive has not;
-    homing: None for a drive that cannot move a base; aborts: SDO abort codes of its maker.
+    same in words; modes: codes of 6060 for "torque", "homing" and "position", for those that the
+    drive has; pdos: either way, of which all but the first are switched off; lacks: which of
+    OPTIONAL the drive has not; homing: None for a drive that cannot move a base; aborts: SDO abort
+    codes of its maker.
     """
 
     name: str
@@ -276,10 +279,33 @@ class DriveKind:
     simulated: Simulated = Simulated()
 
     def __post_init__(self) -> None:
-        if not self.lacks <= OPTIONAL:
-            raise ValueError(f"{self.name}: a machine cannot do without what `lacks` names")
+        """ValueError, with the kind's name, for what no machine could be run with."""
+        for wrong in self._wrong():
+            raise ValueError(f"{self.name}: {wrong}")
+
+    def _wrong(self) -> Iterator[str]:
+        if needed := self.lacks - OPTIONAL:
+            allowed = ", ".join(f"{index:04X}" for index in sorted(OPTIONAL))
+            found = ", ".join(f"{index:04X}" for index in sorted(needed))
+            yield f"a machine cannot do without {found}; `lacks` may name {allowed}"
         if self.error_of(0) is not None:
-            raise ValueError(f"{self.name}: the error code 0 says that there is none")
+            yield "the error code 0 says that there is none"
+        if unknown := self.modes.keys() - MODES:
+            yield f"`modes` has {', '.join(sorted(unknown))}; allowed: {', '.join(sorted(MODES))}"
+        if self.homing is not None and "homing" not in self.modes:
+            yield "`modes` has no homing, which the objects `homing` need"
+        if self.pdos < 1:
+            yield f"`pdos` is {self.pdos}; every drive has one PDO either way"
+        for held in self._objects:
+            if held.size not in SIZES:
+                key = f"{held.index:04X}:{held.subindex:02X}"
+                yield f"object {key} has {held.size} bytes; allowed: 1, 2 or 4"
+
+    @property
+    def _objects(self) -> tuple[Place | Option | Setting, ...]:
+        of_homing = () if self.homing is None else self.homing.places
+        options = self.connection_loss, self.quick_stop
+        return *self.motor.places, *of_homing, *options, *self.settings
 
     def error_of(self, code: int) -> DriveError | None:
         """What its maker says of an error code."""
