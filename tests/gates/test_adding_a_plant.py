@@ -56,4 +56,5 @@ def test_the_plant_of_the_page_is_run_by_the_bench_once_it_is_listed() -> None:
 def test_the_page_names_every_plant_there_is() -> None:
     for model in plants.PLANTS:
         name, module = model.make.__name__, model.make.__module__.rpartition(".")[2]
-        assert f"`{name}` | `lab/{module}.py`" in PAGE
+        row = f"| `{name}` | `lab/{module}.py` |"
+        assert row in PAGE, f"docs/adding-a-plant.md: its table has no row that begins {row}"
