@@ -1,5 +1,6 @@
 """A kind of platform is one entry: what the model needs of it follows from its dimensions."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from turnbuckle.model.reference.kinematics import rotation_jacobian
 from turnbuckle.model.workspace.summary import fine_grid
 
 ROOT = Path(__file__).parents[2]
+README = ROOT / "README.md"
 TWINS = {
     "plate": ("yoon_fixed_diagonal", "planar-point"),
     "lid": ("planar_rigid", "planar-rigid"),
@@ -77,6 +79,12 @@ def test_commands_take_a_new_kind(
     out = tmp_path / "analysis"
     analysed = CliRunner().invoke(app, ["analyze", str(new.path), "--out", str(out)])
     assert analysed.exit_code in (0, 1) and (out / "report.md").exists(), analysed.stderr
+
+
+def test_the_readme_names_every_kind() -> None:
+    """A kind that its list of keys does not name is one that nobody finds."""
+    (row,) = [line for line in README.read_text().splitlines() if "| `machine.kind` |" in line]
+    assert set(re.findall(r"`([a-z]+-[a-z]+)`", row)) == set(KINDS), "README.md, `machine.kind`"
 
 
 @pytest.mark.parametrize(("dof", "space"), [(1, 1), (2, 3), (4, 3), (4, 2)])
