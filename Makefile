@@ -75,10 +75,11 @@ build: $(SETUP) $(LIBRARIES) $(PROGRAMS) ## compile generated and runtime C of e
 # A machine with buses takes the whole runtime but what needs an operating system, the others the step.
 STEP := runtime/core/controller.c runtime/core/torque_gate.c
 ON_LINUX := $(addprefix runtime/can/,serial_line.c slcan.c slcan_opening.c socketcan.c)
-RUNTIME := $(filter-out $(ON_LINUX),$(wildcard runtime/core/*.c runtime/canopen/*.c runtime/can/*.c))
+FOLDERS := $(filter-out runtime/port,$(wildcard runtime/*))
+RUNTIME := $(filter-out $(ON_LINUX),$(wildcard $(FOLDERS:%=%/*.c)))
 runtime_of = $(if $(wildcard generated/$(1)/tb_drives.h),$(RUNTIME),$(STEP))
-HEADERS := $(wildcard runtime/core/*.h runtime/canopen/*.h runtime/can/*.h)
-INCLUDES := -Iruntime/core -Iruntime/canopen -Iruntime/can
+HEADERS := $(wildcard $(FOLDERS:%=%/*.h))
+INCLUDES := $(FOLDERS:%=-I%)
 
 .SECONDEXPANSION:
 build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch]) $$(call runtime_of,$$(*D)) $(HEADERS) Makefile

@@ -179,6 +179,24 @@ def test_a_fieldbus_that_is_no_can_brings_the_machine_to_where_it_can_be_armed(
     assert (master.orders.cause, master.orders.culprit) == (c.TB_CAUSE_DRIVE_SILENT, 2)
 
 
+def test_a_folder_of_a_fieldbus_is_in_the_library_without_registration(tmp_path: Path) -> None:
+    shutil.copytree(RUNTIME, tmp_path / "runtime")
+    shutil.copytree(MACHINE, tmp_path / "generated" / "yoon2023")
+    wire = tmp_path / "runtime" / "wire"
+    wire.mkdir()
+    written("adding-a-fieldbus.md", wire)
+    shutil.copy(ROOT / "Makefile", tmp_path)
+    done = subprocess.run(
+        ["make", "-n", "build/yoon2023/cortex-m4f/libturnbuckle.a"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "runtime/wire/ideal.c" in done.stdout and "-Iruntime/wire" in done.stdout, done.stderr
+    assert "runtime/can/socketcan.c" not in done.stdout and "port/" not in done.stdout
+
+
 def with_adapter(folder: Path) -> Path:
     """A copy of the runtime with the page's adapter and its lines."""
     runtime = folder / "runtime"
@@ -217,6 +235,12 @@ def test_an_adapter_is_a_file_and_a_line_of_the_table(tmp_path: Path) -> None:
     done = run(*buses, "--cycles=60")
     assert done.returncode == 0
     assert len(re.findall(r"^bus \w+: [1-9]\d* frames sent, 0 received", done.stdout, re.M)) == 3
+
+
+def test_every_file_of_an_adapter_has_its_row_in_the_table() -> None:
+    linux = RUNTIME / "port" / "linux"
+    rows = set(re.findall(r"^ +&tb_(\w+),", (linux / "adapters.c").read_text(), re.MULTILINE))
+    assert {path.stem for path in linux.glob("adapter_*.c")} == rows, "adapters.c: the table"
 
 
 def test_without_its_line_in_the_table_an_adapter_is_not_there(tmp_path: Path) -> None:
