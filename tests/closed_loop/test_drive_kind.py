@@ -1,6 +1,8 @@
 """A kind of drive that is one file: that of docs/adding-a-drive.md, in a machine beside EPOS4s."""
 
 import ctypes
+import importlib
+import pkgutil
 import re
 import tomllib
 from collections.abc import Iterator
@@ -20,6 +22,7 @@ from turnbuckle.lab.demo import plan_task, plant_of
 from turnbuckle.lab.lockstep import Lockstep, State
 from turnbuckle.lab.machine_sim import SimulatedMachine
 from turnbuckle.lab.task import Task
+from turnbuckle.model.bus import drive_kinds
 from turnbuckle.model.bus.axis import axes
 from turnbuckle.model.bus.contract import contract, identity
 from turnbuckle.model.bus.drive_kinds import DRIVE_KINDS, by_name, epos4
@@ -31,6 +34,7 @@ from turnbuckle.model.reading import machine_from
 PAGE = (variants.ROOT / "docs" / "adding-a-drive.md").read_text()
 CABLE, BASE = 1, 6
 """The drives of the new kind: cable_2, base_3."""
+KNOWN = tuple(DRIVE_KINDS.values())
 BRING_UP = 60_000
 """Cycles that are more than enough."""
 
@@ -264,6 +268,14 @@ def test_a_slip_in_the_file_of_a_kind_is_told_where_it_stands(
 ) -> None:
     with pytest.raises(ValueError, match=f"acme: .*{message}"):
         replace(acme, **changes)
+
+
+def test_every_file_of_a_kind_is_registered() -> None:
+    """One that is not is no word for a machine file."""
+    paths = pkgutil.iter_modules(drive_kinds.__path__, f"{drive_kinds.__name__}.")
+    modules = [importlib.import_module(path.name) for path in paths]
+    missing = [m.__name__ for m in modules if getattr(m, "KIND", None) not in (None, *KNOWN)]
+    assert not missing, "model/bus/drive_kinds/__init__.py: no KIND of these"
 
 
 def test_no_kind_takes_the_name_of_another(acme: DriveKind) -> None:

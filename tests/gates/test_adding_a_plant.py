@@ -53,6 +53,11 @@ def test_the_plant_of_the_page_is_run_by_the_bench_once_it_is_listed() -> None:
     assert page["summary"].wall_error > plain["summary"].wall_error
 
 
+def test_every_file_of_a_plant_is_listed() -> None:
+    listed = {model.make.__module__.rpartition(".")[2] for model in plants.PLANTS}
+    assert {path.stem for path in (ROOT / "lab").glob("*_plant.py")} == listed, "lab/plants.py"
+
+
 def test_the_page_names_every_plant_there_is() -> None:
     for model in plants.PLANTS:
         name, module = model.make.__name__, model.make.__module__.rpartition(".")[2]
