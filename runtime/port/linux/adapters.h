@@ -1,5 +1,5 @@
-/* The kinds of CAN adapters that the program knows. A new kind is its driver (runtime/can), a file
- * adapter_NAME.c here, and its lines in tb_adapter_memory and in the table of adapters.c. */
+/* The kinds of CAN adapters that the program knows. A new kind is its driver and a
+ * file adapter_NAME.c, both here, and its lines in tb_adapter_memory and in the table of adapters.c. */
 #ifndef TB_ADAPTERS_H
 #define TB_ADAPTERS_H
 
