@@ -449,6 +449,7 @@ class Chip:
 
     def _settle(self) -> None:
         """Raise what was refused; reset when that was asked for."""
+        self._take_back()
         if self._refused:
             refused, self._refused = self._refused, None
             raise refused
@@ -489,10 +490,7 @@ class Chip:
     ) -> bool:
         """An access to no memory at all, or a write to the flash."""
         if access == UC_MEM_WRITE_PROT:
-            try:
-                self.flash_controller.program(address, size, value & (1 << 8 * size) - 1)
-            except ChipFault as fault:
-                self._stop_with(fault)
+            self._store_into_flash(address, size, value & (1 << 8 * size) - 1)
             return True
         place = self._pace.state.place
         fetched = address == self._emulator.reg_read(UC_ARM_REG_PC)
@@ -500,6 +498,25 @@ class Chip:
         error = FETCH_ERROR if fetched else DATA_ERROR | ADDRESS_VALID
         self._trouble = place, error, f"access to {address:#010x}, where nothing is"
         return False
+
+    def _store_into_flash(self, address: int, size: int, value: int) -> None:
+        """The controller takes it; what Unicorn writes in spite of that is taken back."""
+        self._take_back()
+        try:
+            self.flash_controller.program(address, size, value)
+        except ChipFault as fault:
+            self._stop_with(fault)
+        offset = address - flash_memory.BASE
+        self._written = offset, bytes(self._flash[offset : offset + size])
+        self._pace.state.limit = 0
+
+    def _take_back(self) -> None:
+        if self._written:
+            offset, data = self._written
+            self._flash[offset : offset + len(data)] = data
+            self._written = None
+
+    _written: tuple[int, bytes] | None = None
 
     def _interrupted(self, emulator: Any, number: int, _data: Any) -> None:
         place = emulator.reg_read(UC_ARM_REG_PC)

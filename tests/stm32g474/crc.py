@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
-from stm32g474.peripheral import WORD, Peripheral, Register
+from stm32g474.peripheral import WORD, Peripheral, Register, Registers
 
 if TYPE_CHECKING:
     from stm32g474.chip import Chip
@@ -17,7 +17,7 @@ def _reversed(value: int, bits: int) -> int:
 class Crc(Peripheral):
     """CRC, for polynomials of degree 32."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "DR": Register(0x00, reset=WORD, lasting=False, narrow=True),
         "IDR": Register(0x04),
         "CR": Register(0x08, 0xF9),

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.frame import Frame
 from stm32g474.gpio import need_pins
 from stm32g474.message_ram import ELEMENT, RX_FIFO, TX_BUFFER, TX_EVENT, Message, MessageRam
-from stm32g474.peripheral import Access, Peripheral, Register
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ class _Fifo:
 class Fdcan(Peripheral):
     """FDCAN1, 2 or 3."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "CREL": Register(0x000, reset=0x32141218, access=Access.READ),
         "ENDN": Register(0x004, reset=0x87654321, access=Access.READ),
         "DBTP": Register(0x00C, 0x009F1FFF, 0x00000A33),

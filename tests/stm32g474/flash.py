@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.fault import ChipFault
-from stm32g474.peripheral import Access, Peripheral, Register
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ DUAL, WATCHDOG_BY_SOFTWARE = 1 << 22, 1 << 16
 class FlashController(Peripheral):
     """FLASH, and the content of the memory."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "ACR": Register(0x00, 0x00047F0F, 0x00040600),
         "PDKEYR": Register(0x04, access=Access.WRITE),
         "KEYR": Register(0x08, access=Access.WRITE),

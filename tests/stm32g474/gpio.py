@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.fault import ChipFault
-from stm32g474.peripheral import WORD, Access, Peripheral, Register
+from stm32g474.peripheral import WORD, Access, Peripheral, Register, Registers
 
 if TYPE_CHECKING:
     from stm32g474.chip import Chip
@@ -49,7 +49,7 @@ SPEEDS = {"A": 0x0C000000, "B": 0x000000C0}
 class Gpio(Peripheral):
     """One port."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "MODER": Register(0x00),
         "OTYPER": Register(0x04, HALF),
         "OSPEEDR": Register(0x08),

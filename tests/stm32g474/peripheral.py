@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.fault import ChipFault
 from stm32g474.pace import ASKED, KNOWN
@@ -52,7 +52,7 @@ class Peripheral:
     a method `write_NAME` acts on a written one in place of storing it.
     """
 
-    REGISTERS: Registers = {}
+    REGISTERS: ClassVar[Registers] = {}
     SIZE = 0x400
 
     def __init__(self, chip: Chip, name: str, base: int, clock: tuple[str, int] | None) -> None:

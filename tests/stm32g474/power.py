@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
-from stm32g474.peripheral import Access, Peripheral, Register
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 
 if TYPE_CHECKING:
     from stm32g474.chip import Chip
@@ -18,7 +18,7 @@ BOOST, NORMAL, LOW = 170e6, 150e6, 26e6
 class Pwr(Peripheral):
     """PWR."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "CR1": Register(0x00, 0x00004707, 0x00000200),
         "CR2": Register(0x04, 0x000000FF),
         "CR3": Register(0x08, 0x0000E51F, 0x00008000),

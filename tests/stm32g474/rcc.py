@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, ClassVar
 
-from stm32g474.peripheral import Access, Peripheral, Register
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ PLL_ON, PLL_RDY = 1 << 24, 1 << 25
 HSI, HSE, PLL = 1, 2, 3
 
 #: Peripherals that a bit of a reset register resets.
-RESETS = {
+RESETS: Mapping[str, Mapping[int, tuple[str, ...]]] = {
     "AHB1RSTR": {12: ("CRC",)},
     "AHB2RSTR": {bit: (f"GPIO{port}",) for bit, port in enumerate("ABCDEFG")},
     "AHB3RSTR": {},
@@ -62,7 +63,7 @@ def _enables(offset: int, bits: int, reset: int = 0) -> Register:
 class Rcc(Peripheral):
     """RCC."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "CR": Register(0x00, 0x030F0700, 0x00000500),
         "ICSCR": Register(0x04, 0x7F000000, 0x40000000),
         "CFGR": Register(0x08, 0x7F003FFF, 0x00000005),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.pace import FIRST_COUNTER
 from stm32g474.peripheral import WORD, Access, Peripheral, Register, Registers
@@ -26,7 +26,7 @@ class SystemControl(Peripheral):
     """SCB, SysTick, NVIC, FPU and MPU: registers without interrupts behind them."""
 
     SIZE = 0x1000
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "ICTR": Register(0x004, reset=3, access=Access.READ),
         "ACTLR": Register(0x008, 0x00000307),
         "SYST_CSR": Register(0x010, 0x00010007, lasting=False),
@@ -209,7 +209,7 @@ class Trace(Peripheral):
     """DWT: the counter of cycles."""
 
     SIZE = 0x1000
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "CTRL": Register(0x000, reset=0x40000000),
         "CYCCNT": Register(0x004),
         "CPICNT": Register(0x008),
@@ -253,7 +253,7 @@ class Trace(Peripheral):
 class Debug(Peripheral):
     """DBGMCU: which chip this is, and what stops while a debugger halts it."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "IDCODE": Register(0x00, reset=0x20030469, access=Access.READ),
         "CR": Register(0x04, 0xE7),
         "APB1FZR1": Register(0x08, 0xC0601C3F),
@@ -268,7 +268,7 @@ class Debug(Peripheral):
 class Syscfg(Peripheral):
     """SYSCFG."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "MEMRMP": Register(0x00, 0x107),
         "CFGR1": Register(0x04, 0xFCFF0300, 0x7C000000),
         **_row("EXTICR", 0x08, 4, bits=0x7777),
@@ -290,7 +290,7 @@ class Identity(Peripheral):
     """Read-only facts of the chip: its number and the size of its flash."""
 
     SIZE = 0x10000
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         **_row("UID", 0x7590, 3, reset=0x00C0FFEE, access=Access.READ),
         "FLASHSIZE": Register(0x75E0, reset=0xFFFF0200, access=Access.READ, narrow=True),
     }

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.pace import FIRST_COUNTER
-from stm32g474.peripheral import WORD, Access, Peripheral, Register
+from stm32g474.peripheral import WORD, Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ ENABLE, NO_UPDATE, ONLY_OVERFLOW, ONE_PULSE, PRELOAD = 1, 2, 4, 8, 0x80
 class Timer(Peripheral):
     """A timer as a counter: prescaler, auto-reload and the update flag; no channels."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "CR1": Register(0x00, 0x1BFF),
         "CR2": Register(0x04, 0x020000F8),
         "SMCR": Register(0x08, 0x0337FFF7),

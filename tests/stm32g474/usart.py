@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.gpio import need_pins
-from stm32g474.peripheral import Access, Peripheral, Register
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ TOLERANCE = 0.03
 class Usart(Peripheral):
     """USART1, 2, 3, UART4, 5 or LPUART1, with a line to the outside."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "CR1": Register(0x00),
         "CR2": Register(0x04, 0xFFFFFF79),
         "CR3": Register(0x08, 0xFFFEFFFF),

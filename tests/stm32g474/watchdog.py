@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, ClassVar
 
-from stm32g474.peripheral import Access, Peripheral, Register
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -18,14 +19,14 @@ UPDATE = 5
 class Iwdg(Peripheral):
     """IWDG."""
 
-    REGISTERS = {
+    REGISTERS: ClassVar[Registers] = {
         "KR": Register(0x00, 0xFFFF, access=Access.WRITE),
         "PR": Register(0x04, 0x7),
         "RLR": Register(0x08, 0xFFF, 0xFFF),
         "SR": Register(0x0C, 0x7, access=Access.READ),
         "WINR": Register(0x10, 0xFFF, 0xFFF),
     }
-    FLAGS = {"PR": 1, "RLR": 2, "WINR": 4}
+    FLAGS: ClassVar[Mapping[str, int]] = {"PR": 1, "RLR": 2, "WINR": 4}
 
     def __init__(self, chip: Chip) -> None:
         self.running = False
