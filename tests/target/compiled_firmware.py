@@ -9,10 +9,13 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
-from stm32g474 import Chip
+from elftools.elf.elffile import ELFFile
+from stm32g474 import Chip, flash
 
 FOLDER = Path(__file__).with_name("own_firmware")
-FLAGS = (
+COMPILER = (
+    "arm-none-eabi-gcc",
+    f"-I{FOLDER}",
     "-std=gnu11",
     "-O2",
     "-Wall",
@@ -23,7 +26,6 @@ FLAGS = (
     "-mfpu=fpv4-sp-d16",
     "-mfloat-abi=hard",
     "-ffreestanding",
-    "-nostdlib",
     "-fno-move-loop-stores",
 )
 #: own.h's REPORT.
@@ -31,19 +33,28 @@ REPORT = 0x20010000
 
 
 @cache
+def _scratch() -> tempfile.TemporaryDirectory[str]:
+    """A folder that lives as long as the tests, with the object of own.c."""
+    folder = tempfile.TemporaryDirectory()
+    source, compiled = FOLDER / "own.c", Path(folder.name) / "own.o"
+    subprocess.run([*COMPILER, "-c", str(source), "-o", str(compiled)], check=True)
+    return folder
+
+
+@cache
 def image(body: str, more: str = "") -> bytes:
     """The flash content of a firmware whose function has this body; `more` comes before it."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        source, elf, binary = (folder / file for file in ("f.c", "f.elf", "f.bin"))
-        source.write_text(f'#include "own.h"\n{more}\nvoid firmware(void)\n{{\n{body}\n}}\n')
-        sources = str(FOLDER / "own.c"), str(source)
-        places = f"-I{FOLDER}", f"-T{FOLDER / 'own.ld'}"
-        command = ["arm-none-eabi-gcc", *FLAGS, *places, *sources, "-lgcc", "-o", str(elf)]
-        subprocess.run(command, check=True)
-        copy = ["arm-none-eabi-objcopy", "-O", "binary", str(elf), str(binary)]
-        subprocess.run(copy, check=True)
-        return binary.read_bytes()
+    folder = Path(_scratch().name)
+    source, elf = folder / "firmware.c", folder / "firmware.elf"
+    source.write_text(f'#include "own.h"\n{more}\nvoid firmware(void)\n{{\n{body}\n}}\n')
+    link = "-nostdlib", f"-T{FOLDER / 'own.ld'}", str(folder / "own.o"), str(source)
+    subprocess.run([*COMPILER, *link, "-o", str(elf)], check=True)
+    content = bytearray()
+    with elf.open("rb") as stream:
+        for segment in ELFFile(stream).iter_segments("PT_LOAD"):
+            begin, data = segment["p_paddr"] - flash.BASE, segment.data()
+            content[begin : begin + len(data)] = data
+    return bytes(content)
 
 
 def report(chip: Chip, place: int) -> int:
