@@ -161,6 +161,7 @@ class Bus:
             self._break_off()
             self.errors += 1
             self._finish(ERROR_FRAME)
+            self.request()
 
     def _arbitrate(self) -> None:
         self._planned = False

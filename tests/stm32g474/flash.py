@@ -169,7 +169,7 @@ class FlashController(Peripheral):
     def _clear(self, begin: int, size: int, duration: int) -> None:
         def done() -> None:
             self.memory[begin : begin + size] = b"\xff" * size
-            self.chip.code_changed(BASE + begin, size)
+            self.chip.processor.code_changed(BASE + begin, size)
 
         self._work(begin, size, duration, done)
 
@@ -215,7 +215,7 @@ class FlashController(Peripheral):
 
         def done() -> None:
             self.memory[offset : offset + 8] = data
-            self.chip.code_changed(BASE + offset, 8)
+            self.chip.processor.code_changed(BASE + offset, 8)
 
         self._work(offset, 8, PROGRAM_TIME, done)
         self.changed()

@@ -28,6 +28,13 @@ typedef struct {
     uint64_t wrong; /**< address of an instruction that this processor refuses, or zero */
     uint64_t reason;
     uint64_t floating; /**< whether the floating-point unit is enabled */
+    uint64_t dividing; /**< whether a division by zero is refused */
+    uint64_t address;  /**< of the data of a refused instruction */
+    uint64_t guards;   /**< how many ranges are denied */
+    struct {
+        uint64_t begin, end; /**< no data is read or written from here to before there */
+    } denied[8];
+    int (*read_register)(void *emulator, int number, void *value);
     int (*stop)(void *emulator);
     int (*fetch)(void *emulator, uint64_t address, void *bytes, uint64_t size);
     uint64_t (*ask)(uint64_t address, uint32_t size);
@@ -42,7 +49,10 @@ typedef struct {
     uint32_t *values; /**< one for each word */
 } pace_window;
 
-enum { NO_COPROCESSOR = 1, UNALIGNED = 2 };
+enum { NO_COPROCESSOR = 1, UNALIGNED = 2, DIVISION = 3, DENIED = 4 };
+
+/** Unicorn's number of r0; those up to r12 follow. */
+enum { FIRST_REGISTER = 66 };
 
 static void refuse(void *const emulator, pace *const p, uint64_t const reason)
 {
@@ -79,14 +89,36 @@ static bool needs_words(uint32_t const instruction)
     return several || narrow_several || floating;
 }
 
+/** UDIV or SDIV by a register that is zero. */
+static bool divides_by_zero(void *const emulator, pace const *const p, uint32_t const instruction)
+{
+    uint32_t divisor = 1;
+    if ((instruction & 0xFFD0F0F0U) == 0xFB90F0F0U) {
+        p->read_register(emulator, FIRST_REGISTER + (int)(instruction & 0xFU), &divisor);
+    }
+    return divisor == 0;
+}
+
+static bool is_denied(pace const *const p, uint64_t const address)
+{
+    for (uint64_t i = 0; i < p->guards; i++) {
+        if (address >= p->denied[i].begin && address < p->denied[i].end) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void pace_instruction(void *emulator, uint64_t address, uint32_t size, void *user)
 {
     pace *const p = user;
-    (void)size;
     p->count++;
     p->place = address;
     if (p->floating == 0 && is_floating(instruction_at(emulator, p, address))) {
         refuse(emulator, p, NO_COPROCESSOR);
+    } else if (p->dividing != 0 && size == 4 &&
+               divides_by_zero(emulator, p, instruction_at(emulator, p, address))) {
+        refuse(emulator, p, DIVISION);
     }
 }
 
@@ -107,7 +139,11 @@ void pace_memory(void *emulator, int type, uint64_t address, int size, int64_t v
     (void)type;
     (void)value;
     if ((address & 3U) != 0 && size >= 4 && needs_words(instruction_at(emulator, p, p->place))) {
+        p->address = address;
         refuse(emulator, p, UNALIGNED);
+    } else if (p->guards != 0 && is_denied(p, address)) {
+        p->address = address;
+        refuse(emulator, p, DENIED);
     }
 }
 

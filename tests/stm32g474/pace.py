@@ -23,7 +23,7 @@ TELL = ctypes.CFUNCTYPE(None, c_uint64, c_uint32, c_uint64)
 #: Kinds of words in a window: asked of the model, known until forgotten, a counter.
 ASKED, KNOWN, FIRST_COUNTER = 0, 1, 2
 #: Reasons why an instruction was refused.
-NO_COPROCESSOR, UNALIGNED = 1, 2
+NO_COPROCESSOR, UNALIGNED, DIVISION, DENIED = 1, 2, 3, 4
 
 
 class Counter(ctypes.Structure):
@@ -45,6 +45,11 @@ class State(ctypes.Structure):
         ("wrong", c_uint64),
         ("reason", c_uint64),
         ("floating", c_uint64),
+        ("dividing", c_uint64),
+        ("address", c_uint64),
+        ("guards", c_uint64),
+        ("denied", c_uint64 * 2 * 8),
+        ("read_register", c_void_p),
         ("stop", c_void_p),
         ("fetch", c_void_p),
         ("ask", c_void_p),
@@ -102,13 +107,14 @@ class Pace:
         self._calls = ASK(ask), TELL(tell)
         self._unicorn = ctypes.CDLL(binding.uclib._name)
         self.state.stop = _pointer(self._unicorn.uc_emu_stop).value
+        self.state.read_register = _pointer(self._unicorn.uc_reg_read).value
         self.state.fetch = _pointer(self._unicorn.uc_mem_read).value
         self.state.ask, self.state.tell = (_pointer(call).value for call in self._calls)
         self._hook(UC_HOOK_CODE, _library().pace_instruction, 1, 0)
         self._hook(UC_HOOK_BLOCK, _library().pace_block, 1, 0)
 
-    def watch_alignment(self, begin: int, end: int) -> None:
-        """Refuse loads and stores of several words that are not aligned, from here on."""
+    def watch_memory(self, begin: int, end: int) -> None:
+        """Refuse unaligned accesses of several words, and denied ones, from here on."""
         self._hook(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, _library().pace_memory, begin, end)
 
     def open_window(self, base: int, size: int) -> Window:
@@ -120,6 +126,12 @@ class Pace:
         place = c_uint64(base), c_size_t(size)
         self._done(self._unicorn.uc_mmio_map(self._emulator._uch, *place, read, user, write, user))
         return window
+
+    def deny(self, ranges: list[tuple[int, int]]) -> None:
+        """No data is read or written from the begin to before the end of these, eight at most."""
+        self.state.guards = len(ranges)
+        for number, (begin, end) in enumerate(ranges):
+            self.state.denied[number][0], self.state.denied[number][1] = begin, end
 
     def counted(self, number: int) -> int:
         """What a counter shows now."""

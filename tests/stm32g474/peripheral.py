@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING, ClassVar
 
@@ -41,6 +41,16 @@ class Register:
 
 
 Registers = Mapping[str, Register]
+
+
+def row(name: str, register: Register, count: int, stride: int = 4) -> Registers:
+    """Registers of one kind, numbered from zero."""
+    return {
+        f"{name}{number}": replace(register, offset=register.offset + stride * number)
+        for number in range(count)
+    }
+
+
 Writer = Callable[[int], None]
 Reader = Callable[[], int]
 

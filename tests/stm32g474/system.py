@@ -1,25 +1,29 @@
-"""What belongs to the processor: control block, SysTick, trace, debug; and small memories."""
+"""The system control space of the processor: control block, SysTick, protection, debugging."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from stm32g474.pace import FIRST_COUNTER
-from stm32g474.peripheral import WORD, Access, Peripheral, Register, Registers
-from stm32g474.timer import Cycles
+from stm32g474.pace import FIRST_COUNTER, Pace
+from stm32g474.peripheral import Access, Peripheral, Register, Registers, row
+from stm32g474.processor import BUS, BUS_VALID, HARD, MEMORY, MEMORY_VALID, USAGE, Trouble
 
 if TYPE_CHECKING:
     from stm32g474.chip import Chip
 
 VECTOR_KEY, RESET_REQUEST = 0x05FA, 1 << 2
-TRACE = 1 << 24
-
-
-def _row(name: str, offset: int, count: int, **more: object) -> Registers:
-    return {
-        f"{name}{number}": Register(offset + 4 * number, **more)  # type: ignore[arg-type]
-        for number in range(count)
-    }
+#: HFSR.
+FORCED, BY_DEBUG = 1 << 30, 1 << 31
+#: Registers of the processor by their number in DCRSR.
+CORE_REGISTERS = {
+    **{number: f"r{number}" for number in range(13)},
+    13: "sp",
+    14: "lr",
+    15: "pc",
+    16: "xpsr",
+    17: "msp",
+    18: "psp",
+}
 
 
 class SystemControl(Peripheral):
@@ -33,11 +37,11 @@ class SystemControl(Peripheral):
         "SYST_RVR": Register(0x014, 0x00FFFFFF),
         "SYST_CVR": Register(0x018),
         "SYST_CALIB": Register(0x01C, access=Access.READ),
-        **_row("NVIC_ISER", 0x100, 4),
-        **_row("NVIC_ICER", 0x180, 4, access=Access.STROBE),
-        **_row("NVIC_ISPR", 0x200, 4),
-        **_row("NVIC_ICPR", 0x280, 4, access=Access.STROBE),
-        **_row("NVIC_IPR", 0x400, 26, narrow=True),
+        **row("NVIC_ISER", Register(0x100), 4),
+        **row("NVIC_ICER", Register(0x180, access=Access.STROBE), 4),
+        **row("NVIC_ISPR", Register(0x200), 4),
+        **row("NVIC_ICPR", Register(0x280, access=Access.STROBE), 4),
+        **row("NVIC_IPR", Register(0x400, narrow=True), 26),
         "CPUID": Register(0xD00, reset=0x410FC241, access=Access.READ),
         "ICSR": Register(0xD04, lasting=False),
         "VTOR": Register(0xD08, 0xFFFFFF80),
@@ -61,6 +65,8 @@ class SystemControl(Peripheral):
         "MPU_RBAR": Register(0xD9C),
         "MPU_RASR": Register(0xDA0),
         "DHCSR": Register(0xDF0, lasting=False),
+        "DCRSR": Register(0xDF4, 0x0001007F, access=Access.WRITE),
+        "DCRDR": Register(0xDF8),
         "DEMCR": Register(0xDFC, 0x010F07F1),
         "FPCCR": Register(0xF34, 0xC000017B, 0xC0000000),
         "FPCAR": Register(0xF38, 0xFFFFFFF8),
@@ -72,12 +78,31 @@ class SystemControl(Peripheral):
     def __init__(self, chip: Chip, counter: int) -> None:
         self.counter = counter
         self._looked = 0
+        self._debugger = {"DHCSR": 0, "DEMCR": 0}
+        self._regions: dict[int, tuple[int, int]] = {}
         super().__init__(chip, "SCS", 0xE000E000, None)
 
+    @property
+    def _pace(self) -> Pace:
+        return self.chip.processor.pace
+
     def reset(self) -> None:
+        """What a debugger has set stays until the power goes."""
         super().reset()
-        self.chip.set_floating(False)
+        self.values |= self._debugger
+        self._regions = {}
+        self._pace.deny([])
+        self._pace.state.floating = self._pace.state.dividing = 0
         self._tick(0)
+
+    def forget_debugger(self) -> None:
+        """The power has gone."""
+        self._debugger = {"DHCSR": 0, "DEMCR": 0}
+
+    @property
+    def halts_at_reset(self) -> bool:
+        """A debugger wants the processor to halt before its first instruction."""
+        return bool(self._debugger["DHCSR"] & 1 and self._debugger["DEMCR"] & 1)
 
     # -- SysTick ------------------------------------------------------------------------------
 
@@ -148,11 +173,77 @@ class SystemControl(Peripheral):
         if both not in (0, 0xF):
             raise self.refuse("CPACR", "CP10 and CP11 must be off or full access, both alike")
         self.values["CPACR"] = value
-        self.chip.set_floating(both == 0xF)
+        self._pace.state.floating = int(both == 0xF)
+
+    def write_CCR(self, value: int) -> None:
+        if value & 8:
+            raise self.refuse("CCR", "UNALIGN_TRP is not part of this model")
+        self.values["CCR"] = value
+        self._pace.state.dividing = int(value >> 4 & 1)
+
+    def note_exception(self, trouble: Trouble) -> int:
+        """Flags and address of an exception; its number: escalated unless it is enabled."""
+        values = self.values
+        values["CFSR"] |= trouble.status
+        if trouble.status & BUS_VALID:
+            values["BFAR"] = trouble.address
+        if trouble.status & MEMORY_VALID:
+            values["MMFAR"] = trouble.address
+        enabled = {MEMORY: 16, BUS: 17, USAGE: 18}.get(trouble.exception)
+        taken = trouble.exception
+        if enabled is None or not values["SHCSR"] >> enabled & 1:
+            values["HFSR"] |= FORCED if trouble.status else BY_DEBUG
+            taken = HARD
+        self.changed()
+        return taken
+
+    # -- protection ---------------------------------------------------------------------------
+
+    def write_MPU_RBAR(self, value: int) -> None:
+        if value & 0x10:
+            self.values["MPU_RNR"] = value & 0xF
+        self._check_region()
+        number = self.values["MPU_RNR"]
+        self._regions[number] = value & ~0x1F, self._regions.get(number, (0, 0))[1]
+        self._protect()
+
+    def write_MPU_RASR(self, value: int) -> None:
+        self._check_region()
+        number = self.values["MPU_RNR"]
+        self._regions[number] = self._regions.get(number, (0, 0))[0], value
+        self._protect()
+
+    def read_MPU_RBAR(self) -> int:
+        number = self.values["MPU_RNR"]
+        return self._regions.get(number, (0, 0))[0] | number
+
+    def read_MPU_RASR(self) -> int:
+        return self._regions.get(self.values["MPU_RNR"], (0, 0))[1]
 
     def write_MPU_CTRL(self, value: int) -> None:
-        if value & 1:
-            raise self.refuse("MPU_CTRL", "memory protection is not part of this model")
+        if value & 1 and not value & 4:
+            raise self.refuse("MPU_CTRL", "without PRIVDEFENA nothing is allowed at all")
+        self.values["MPU_CTRL"] = value
+        self._protect()
+
+    def _check_region(self) -> None:
+        if self.values["MPU_RNR"] > 7:
+            raise self.refuse("MPU_RNR", "there are eight regions")
+
+    def _protect(self) -> None:
+        """Regions that allow nothing are denied; those that allow less than all are refused."""
+        denied = []
+        for base, control in self._regions.values():
+            if not self.values["MPU_CTRL"] & 1 or not control & 1:
+                continue
+            size, rights = 2 << (control >> 1 & 0x1F), control >> 24 & 7
+            if size < 32 or base % size:
+                raise self.refuse("MPU_RBAR", f"{base:#010x} is no multiple of the size {size:#x}")
+            if control & 0xFF00 or rights not in (0, 1, 3):
+                raise self.refuse("MPU_RASR", "parts and other rights are not part of this model")
+            if rights == 0:
+                denied.append((base, base + size))
+        self._pace.deny(denied)
 
     def _no_interrupts(self, name: str, value: int) -> None:
         if value:
@@ -198,102 +289,21 @@ class SystemControl(Peripheral):
         """For a debugger only: the processor itself cannot halt."""
         if value >> 16 != 0xA05F:
             raise self.refuse("DHCSR", "written without the key 0xA05F")
-        self.values["DHCSR"] = value & 0xF
+        self.values["DHCSR"] = self._debugger["DHCSR"] = value & 0xF
         self.chip.halted = value & 3 == 3
 
     def write_DEMCR(self, value: int) -> None:
-        self.values["DEMCR"] = value
+        self.values["DEMCR"] = self._debugger["DEMCR"] = value
 
-
-class Trace(Peripheral):
-    """DWT: the counter of cycles."""
-
-    SIZE = 0x1000
-    REGISTERS: ClassVar[Registers] = {
-        "CTRL": Register(0x000, reset=0x40000000),
-        "CYCCNT": Register(0x004),
-        "CPICNT": Register(0x008),
-        "EXCCNT": Register(0x00C),
-        "SLEEPCNT": Register(0x010),
-        "LSUCNT": Register(0x014),
-        "FOLDCNT": Register(0x018),
-    }
-
-    def __init__(self, chip: Chip, counter: int) -> None:
-        self.cycles = Cycles(chip, counter)
-        super().__init__(chip, "DWT", 0xE0001000, None)
-
-    def reset(self) -> None:
-        super().reset()
-        self.cycles.running = False
-        self.cycles.set(0)
-
-    def need_clock(self, address: int) -> None:
-        if not self.chip.system.values["DEMCR"] & TRACE:
-            raise self.refuse("CTRL", "used without TRCENA in DEMCR")
-
-    def kind_of(self, key: str) -> int:
-        return FIRST_COUNTER + self.cycles.counter if key == "CYCCNT" else super().kind_of(key)
-
-    def read_CYCCNT(self) -> int:
-        return self.chip.counted(self.cycles.counter)
-
-    def write_CYCCNT(self, value: int) -> None:
-        self.cycles.set(value & WORD)
-
-    def write_CTRL(self, value: int) -> None:
-        if value & ~1 & 0x0FFFFFFF:
-            raise self.refuse("CTRL", "only the counter of cycles is part of this model")
-        at = self.chip.counted(self.cycles.counter)
-        self.values["CTRL"] = value & 1 | 0x40000000
-        self.cycles.running = bool(value & 1)
-        self.cycles.set(at)
-
-
-class Debug(Peripheral):
-    """DBGMCU: which chip this is, and what stops while a debugger halts it."""
-
-    REGISTERS: ClassVar[Registers] = {
-        "IDCODE": Register(0x00, reset=0x20030469, access=Access.READ),
-        "CR": Register(0x04, 0xE7),
-        "APB1FZR1": Register(0x08, 0xC0601C3F),
-        "APB1FZR2": Register(0x0C, 0x2),
-        "APB2FZ": Register(0x10, 0x04172800),
-    }
-
-    def __init__(self, chip: Chip) -> None:
-        super().__init__(chip, "DBGMCU", 0xE0042000, None)
-
-
-class Syscfg(Peripheral):
-    """SYSCFG."""
-
-    REGISTERS: ClassVar[Registers] = {
-        "MEMRMP": Register(0x00, 0x107),
-        "CFGR1": Register(0x04, 0xFCFF0300, 0x7C000000),
-        **_row("EXTICR", 0x08, 4, bits=0x7777),
-        "SCSR": Register(0x18, 0x3),
-        "CFGR2": Register(0x1C, 0x10F),
-        "SWPR": Register(0x20),
-        "SKR": Register(0x24, 0xFF, access=Access.WRITE),
-    }
-
-    def __init__(self, chip: Chip) -> None:
-        super().__init__(chip, "SYSCFG", 0x40010000, ("APB2ENR", 0))
-
-    def write_MEMRMP(self, value: int) -> None:
-        if value:
-            raise self.refuse("MEMRMP", "another memory at address zero is not part of this model")
-
-
-class Identity(Peripheral):
-    """Read-only facts of the chip: its number and the size of its flash."""
-
-    SIZE = 0x10000
-    REGISTERS: ClassVar[Registers] = {
-        **_row("UID", 0x7590, 3, reset=0x00C0FFEE, access=Access.READ),
-        "FLASHSIZE": Register(0x75E0, reset=0xFFFF0200, access=Access.READ, narrow=True),
-    }
-
-    def __init__(self, chip: Chip) -> None:
-        super().__init__(chip, "SYSTEM", 0x1FFF0000, None)
+    def write_DCRSR(self, value: int) -> None:
+        if not self.chip.halted:
+            raise self.refuse("DCRSR", "used while the processor is not halted")
+        name = CORE_REGISTERS.get(value & 0x7F)
+        if name is None:
+            raise self.refuse("DCRSR", f"register {value & 0x7F} is not part of this model")
+        if value >> 16 & 1:
+            self.chip.processor.set_register(name, self.values["DCRDR"])
+        elif name == "pc":
+            self.values["DCRDR"] = self.chip.processor.place & ~1
+        else:
+            self.values["DCRDR"] = self.chip.processor.register(name)

@@ -1,11 +1,11 @@
-"""Timers that count up, and the clock of the processor's trace unit and SysTick."""
+"""Timers that count up."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
 from stm32g474.pace import FIRST_COUNTER
-from stm32g474.peripheral import WORD, Access, Peripheral, Register, Registers
+from stm32g474.peripheral import Access, Peripheral, Register, Registers
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -155,20 +155,3 @@ class Timer(Peripheral):
             if at > value:
                 raise self.refuse("ARR", f"the counter is at {at}, beyond: it runs to its end")
             self._set(at)
-
-
-class Cycles:
-    """DWT_CYCCNT: counts the clock of the processor."""
-
-    def __init__(self, chip: Chip, counter: int) -> None:
-        self.chip, self.counter = chip, counter
-        self.running = False
-
-    def set(self, value: int) -> None:
-        """Let it stand at a value now."""
-        rate = self.chip.rcc.hclk if self.running else 0.0
-        self.chip.set_counter(self.counter, value, rate, WORD + 1)
-
-    def clocks_changed(self) -> None:
-        """It goes on with another clock."""
-        self.set(self.chip.counted(self.counter))
