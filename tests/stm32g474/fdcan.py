@@ -142,14 +142,13 @@ class Fdcan(Peripheral):
 
     def reset(self) -> None:
         """As after a reset: off the bus."""
+        super().reset()
+        self._clear()
+        self.bus.withdraw()
         for event in (self._arriving, self._quiet):
             if event:
                 event.cancel()
         self._arriving = self._quiet = None
-        self.takes_part = False
-        self.bus.withdraw()
-        super().reset()
-        self._clear()
 
     # -- state --------------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ def test_the_timer_and_the_chip_agree_on_the_time() -> None:
     chip = Chip(image("clock_170(); wait_us(1); for (;;) { REPORT[0] = TIM2(0x24); }"))
     chip.run_until(5 * MILLISECOND)
     before, begin = report(chip, 0), chip.time
-    chip.run_for(700 * MILLISECOND)
+    chip.run_for(100 * MILLISECOND)
     assert report(chip, 0) - before == pytest.approx((chip.time - begin) / 1000, abs=2)
 
 
@@ -234,6 +234,51 @@ def test_a_fault_is_taken_with_its_cause_and_place(body: str, status: int) -> No
         assert address == 0x30000000
 
 
+@pytest.mark.parametrize(
+    ("enable", "body", "number", "status"),
+    [
+        (18, '__asm volatile("udf #1");', 6, 1 << 16),
+        (17, "(void)*(uint32_t volatile *)0x30000000U;", 5, 1 << 9 | 1 << 15),
+        (0, "(void)*(uint32_t volatile *)0x30000000U;", 3, 1 << 9 | 1 << 15),
+    ],
+)
+def test_an_enabled_fault_has_its_own_vector(
+    enable: int, body: str, number: int, status: int
+) -> None:
+    chip = Chip(image(f"SCB(0x24) = 1U << {enable} & ~1U; {body}", FAULT_HANDLER), faults="take")
+    chip.run_until(MILLISECOND)
+    assert (report(chip, 0), report(chip, 2)) == (number, status)
+
+
+DIVIDE = "int volatile zero = 0; REPORT[0] = 5; REPORT[0] = (uint32_t)(7 / zero);"
+
+
+def test_division_by_zero_is_zero_unless_it_is_trapped() -> None:
+    chip = Chip(image(DIVIDE))
+    chip.run_until(MILLISECOND)
+    assert report(chip, 0) == 0
+    chip = Chip(image("SCB(0x14) |= 1U << 4;" + DIVIDE, FAULT_HANDLER), faults="take")
+    chip.run_until(MILLISECOND)
+    assert report(chip, 2) == 1 << 25
+
+
+GUARD = "SCB(0x9C) = 0x20008000U | 0x10U; SCB(0xA0) = 1U | 4U << 1 | {rights}U << 24;"
+TOUCH = "SCB(0x94) = 5; *(uint32_t volatile *)({place}U) = 1;"
+
+
+@pytest.mark.parametrize(
+    ("rights", "place", "denied"),
+    [(0, 0x20008000, True), (0, 0x2000801C, True), (0, 0x20008020, False), (3, 0x20008000, False)],
+)
+def test_a_guarded_range_of_memory_is_denied(rights: int, place: int, denied: bool) -> None:
+    body = GUARD.format(rights=rights) + TOUCH.format(place=place)
+    chip = Chip(image(body, FAULT_HANDLER), faults="take")
+    chip.run_until(MILLISECOND)
+    assert bool(chip.exceptions) == denied
+    if denied:
+        assert report(chip, 2) == 1 << 1 | 1 << 7
+
+
 def test_a_fault_in_the_handler_locks_up() -> None:
     more = """void fault_handler(void);
         void fault_handler(void) { *(uint32_t volatile *)0x30000000U = 1; }"""
@@ -295,6 +340,52 @@ def test_firmware_programs_the_flash_and_runs_what_it_wrote() -> None:
     chip.run_until(MILLISECOND)
     assert report(chip, 0) == 7
     assert chip.flash[0x40000:0x40008] == bytes.fromhex("0720704700000000")
+
+
+def test_backup_registers_outlive_a_reset_but_not_the_power() -> None:
+    body = """RCC(RCC_APB1ENR1) |= 1U << 28; (void)RCC(RCC_APB1ENR1); PWR(PWR_CR1) |= 1U << 8;
+        REPORT[0] = REGISTER(0x40002500U); REGISTER(0x40002500U) = 77; for (;;) { }"""
+    chip = Chip(image(body))
+    found = []
+    for cause in ("watchdog", "power"):
+        chip.run_for(MILLISECOND)
+        found.append(report(chip, 0))
+        if cause == "power":
+            chip.power_cut()
+        chip.reset(cause)
+    chip.run_for(MILLISECOND)
+    assert [*found, report(chip, 0)] == [0, 77, 0]
+
+
+def test_an_option_starts_the_watchdog_with_the_chip() -> None:
+    chip = Chip(image("for (;;) { }"), watchdog_by_hardware=True)
+    chip.run_until(2000 * MILLISECOND)
+    assert [cause for _, cause in chip.resets] == ["power"] + ["watchdog"] * 3
+
+
+def test_a_debugger_reads_and_sets_the_processor() -> None:
+    chip = Chip(image("for (;;) { REPORT[0]++; }"))
+    chip.run_until(MILLISECOND)
+    chip.bus_write(0xE000EDF0, 0xA05F0003)
+    chip.bus_write(0xE000EDF8, 0x20004000)
+    chip.bus_write(0xE000EDF4, 1 << 16 | 13)
+    chip.bus_write(0xE000EDF4, 15)
+    assert 0x08000000 <= chip.bus_read(0xE000EDF8) < 0x08001000
+    chip.bus_write(0xE000EDF4, 13)
+    assert chip.bus_read(0xE000EDF8) == 0x20004000
+
+
+def test_a_debugger_halts_the_chip_at_its_first_instruction() -> None:
+    chip = Chip(image("REPORT[0] = 1; for (;;) { }"))
+    chip.bus_write(0xE000EDF0, 0xA05F0001)
+    chip.bus_write(0xE000EDFC, 1)
+    chip.bus_write(0xE000ED0C, 0x05FA0004)
+    chip.run_for(MILLISECOND)
+    assert chip.halted
+    assert report(chip, 0) != 1
+    chip.bus_write(0xE000EDF0, 0xA05F0001)
+    chip.run_for(MILLISECOND)
+    assert report(chip, 0) == 1
 
 
 def test_a_halted_processor_stands_still_and_time_goes_on() -> None:

@@ -449,3 +449,23 @@ def test_counted_identifiers_answer_a_sync_in_time() -> None:
     syncs = [time for time, own, _ in bus.log if own]
     assert all(999_000 < later - sooner < 1_004_000 for sooner, later in pairwise(syncs[1:]))
     assert len(syncs) > 15
+
+
+def test_a_reset_in_the_midst_of_a_frame_breaks_it_off() -> None:
+    made = chip(SEND_ALL)
+    while made.buses[0].idle:
+        made.run_for(MICROSECOND)
+    made.buses[0].taken()
+    made.buses[0].deliver(Frame(0x181))
+    made.reset("pin")
+    made.run_for(MILLISECOND)
+    assert made.buses[0].errors == 1
+    assert [(own, frame.identifier) for _, own, frame in made.buses[0].log][-1] == (False, 0x181)
+
+
+def test_error_counters_can_be_set() -> None:
+    made = chip(WAIT)
+    made.fdcan[0].set_errors(130, 5)
+    made.run_for(MILLISECOND)
+    assert report(made, 0) & (PASSIVE | WARNING | BUS_OFF) == PASSIVE | WARNING
+    assert report(made, 1) & 0x7FFF == 130 | 5 << 8
