@@ -113,8 +113,7 @@ class Chip:
     @property
     def time(self) -> int:
         """Since the chip was made [ns]."""
-        base, count = self._anchor
-        return base + int((self._state.count - count) * self._count_time)
+        return self.time_of(self._state.count)
 
     @property
     def flash(self) -> bytes:
@@ -175,7 +174,7 @@ class Chip:
     def stick(self, address: int, mask: int, value: int) -> None:
         """These bits of a register are read as `value` from now on; mask 0 ends that."""
         self._stuck[address] = mask, value & mask
-        self.forget(address & ~3, 4)
+        self.forgetting(address & ~3, 4)()
 
     def bus_read(self, address: int, size: int = 4) -> int:
         """What a debugger reads; ChipFault as for the firmware."""
@@ -205,11 +204,17 @@ class Chip:
         """Do something after a delay [ns]."""
         return self.at(self.time + delay, action)
 
-    def forget(self, address: int, size: int) -> None:
-        """Registers may have changed."""
+    def forgetting(self, address: int, size: int) -> Callable[[], object]:
+        """What is called when these registers may have changed."""
         for window in self._windows:
             if window.base <= address < window.base + window.size:
-                window.forget(address, min(size, window.base + window.size - address))
+                return window.forgetting(address, min(size, window.base + window.size - address))
+        raise ValueError(f"{address:#x} is no address of a peripheral")
+
+    def time_of(self, count: int) -> int:
+        """When the count of instructions was this, with the clock as it is now [ns]."""
+        base, anchor = self._anchor
+        return base + int((count - anchor) * self._count_time)
 
     def request_reset(self, cause: str) -> None:
         """Reset as soon as the processor has stopped."""
@@ -231,6 +236,7 @@ class Chip:
         hclk = self.rcc.hclk
         self.flash_controller.check_clock(hclk)
         if hclk != self._clock:
+            self.watchdog.note_fed()
             self._anchor = self.time, self._state.count
             self._set_clock(hclk)
             self.rcc.note_clock()

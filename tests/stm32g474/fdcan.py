@@ -120,6 +120,7 @@ class Fdcan(Peripheral):
         self._arriving: Event | None = None
         self._quiet: Event | None = None
         self._wanted = INIT
+        self._understands: bool | None = None
         self._clear()
         super().__init__(chip, f"FDCAN{number}", 0x40006000 + 0x400 * number, ("APB1ENR1", 25))
 
@@ -194,6 +195,11 @@ class Fdcan(Peripheral):
     @property
     def understands(self) -> bool:
         """Whether its bits are near enough to those of the bus, and sampled late enough."""
+        if self._understands is None:
+            self._understands = self._compare_bits()
+        return self._understands
+
+    def _compare_bits(self) -> bool:
         _, before, after, jump = self.bit_time
         quanta = before + after
         tolerance = min(jump / (20 * quanta), min(before - 1, after) / (2 * (13 * quanta - after)))
@@ -203,6 +209,7 @@ class Fdcan(Peripheral):
 
     def clocks_changed(self) -> None:
         """ChipFault when the kernel clock goes away or is too fast while it is on the bus."""
+        self._understands = None
         if not self.stopped:
             self._check_kernel("CCCR")
 
@@ -276,6 +283,7 @@ class Fdcan(Peripheral):
         self.changed()
 
     def _join(self) -> None:
+        self._understands = None
         self._check_start()
         self._recovered = 0
         self._listen(max(self.chip.time, self.bus.recessive_since))

@@ -3,7 +3,7 @@
 import ctypes
 from collections.abc import Callable
 from ctypes import POINTER, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -47,6 +47,9 @@ class State(ctypes.Structure):
         ("floating", c_uint64),
         ("dividing", c_uint64),
         ("address", c_uint64),
+        ("feeding", c_uint64),
+        ("food", c_uint64),
+        ("fed", c_uint64),
         ("guards", c_uint64),
         ("denied", c_uint64 * 2 * 8),
         ("read_register", c_void_p),
@@ -79,10 +82,10 @@ class Window:
         places = ctypes.addressof(self.kinds), ctypes.addressof(self.values)
         self.c = _Window(ctypes.pointer(state), base, *places)
 
-    def forget(self, address: int, size: int) -> None:
-        """All words of a range are asked of the model again."""
+    def forgetting(self, address: int, size: int) -> Callable[[], object]:
+        """What lets all words of a range be asked of the model again."""
         first = ctypes.addressof(self.kinds) + (address - self.base) // 4
-        ctypes.memset(first, ASKED, size // 4)
+        return partial(ctypes.memset, first, ASKED, size // 4)
 
 
 def _pointer(function: Any) -> c_void_p:

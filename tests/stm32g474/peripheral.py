@@ -70,6 +70,7 @@ class Peripheral:
         self.chip, self.name, self.base, self.clock = chip, name, base, clock
         self.values: dict[str, int] = {}
         self._names = {register.offset: key for key, register in self.REGISTERS.items()}
+        self._drop_reads = chip.forgetting(base, self.SIZE)
         self._readers: dict[str, Reader] = {}
         self._writers: dict[str, Writer] = {}
         for key in self.REGISTERS:
@@ -86,7 +87,7 @@ class Peripheral:
 
     def changed(self) -> None:
         """What was read before may have another value now."""
-        self.chip.forget(self.base, self.SIZE)
+        self._drop_reads()
 
     def refuse(self, register: str, reason: str) -> ChipFault:
         """The fault of an access to a register, to be raised."""

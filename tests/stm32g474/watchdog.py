@@ -44,6 +44,7 @@ class Iwdg(Peripheral):
         self.running = self._unlocked = False
         self._end = None
         self._arriving = set()
+        self._feed_quickly(False)
         super().reset()
         if self.chip.flash_controller.watchdog_by_hardware:
             self._start()
@@ -54,7 +55,21 @@ class Iwdg(Peripheral):
         clocks = (self.values["RLR"] + 1) * (4 << min(self.values["PR"], 6))
         return int(clocks * 1e9 / self.chip.lsi)
 
+    def note_fed(self) -> None:
+        """Reloads that the compiled part has seen alone are known here too."""
+        state = self.chip.processor.pace.state
+        if state.fed:
+            self._reloaded = self.chip.time_of(state.fed)
+            self._unlocked = False
+            state.fed = 0
+
+    def _feed_quickly(self, quickly: bool) -> None:
+        """Reloads need not come here while nothing else can follow from one."""
+        state = self.chip.processor.pace.state
+        state.feeding, state.food = self.base if quickly else 0, RELOAD
+
     def write_KR(self, value: int) -> None:
+        self.note_fed()
         if value not in (START, RELOAD, UNLOCK, LOCK):
             raise self.refuse("KR", f"{value:#06x} is no key")
         self._unlocked = value == UNLOCK
@@ -93,9 +108,15 @@ class Iwdg(Peripheral):
             self._end.cancel()
         self._reloaded = self.chip.time
         self._end = self.chip.after(self.timeout, self._run_out)
+        self._feed_quickly(self.values["WINR"] >= self.values["RLR"])
 
     def _run_out(self) -> None:
-        self.chip.request_reset("watchdog")
+        self.note_fed()
+        due = self._reloaded + self.timeout
+        if due > self.chip.time:
+            self._end = self.chip.at(due, self._run_out)
+        else:
+            self.chip.request_reset("watchdog")
 
     def _check_window(self) -> None:
         """A reload before the counter is down at the window resets the chip."""
@@ -107,6 +128,8 @@ class Iwdg(Peripheral):
             self.chip.request_reset("watchdog")
 
     def _update(self, name: str, value: int) -> None:
+        self.note_fed()
+        self._feed_quickly(False)
         if not self._unlocked:
             raise self.refuse(name, "written without the key 0x5555")
         if name in self._arriving:
