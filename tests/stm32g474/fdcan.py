@@ -465,13 +465,18 @@ class Fdcan(Peripheral):
         return bool(self.values["TXBC"] & QUEUE)
 
     def read_TXFQS(self) -> int:
-        free = [buffer for buffer in range(BUFFERS) if not self.pending >> buffer & 1]
         if self.queued:
-            put, level, get = free[0] if free else 0, 0, 0
-        else:
-            put, level = self._put, len(free)
-            get = self._order[0] if self._order else self._put
-        return level | get << 8 | put << 16 | (not free) << 21
+            free = [buffer for buffer in range(BUFFERS) if not self.pending >> buffer & 1]
+            return (free[0] if free else 0) << 16 | (not free) << 21
+        get = self._order[0] if self._order else self._put
+        return self._fifo_level | get << 8 | self._put << 16 | (not self._fifo_level) << 21
+
+    @property
+    def _fifo_level(self) -> int:
+        """Free places from the put index on; a request cancelled in the midst leaves a hole."""
+        if not self._order:
+            return BUFFERS
+        return (self._order[0] - self._put) % BUFFERS
 
     def read_TXBRP(self) -> int:
         return self.pending
@@ -498,6 +503,8 @@ class Fdcan(Peripheral):
 
     def _request(self, buffer: int) -> None:
         if not self.queued:
+            if not self._fifo_level:
+                raise self.refuse("TXBAR", "the FIFO is full")
             if buffer != self._put:
                 text = f"buffer {buffer} is requested, but the FIFO's put index is {self._put}"
                 raise self.refuse("TXBAR", text)
@@ -511,8 +518,6 @@ class Fdcan(Peripheral):
     def write_TXBCR(self, value: int) -> None:
         if self.values["CCCR"] & CCE:
             raise self.refuse("TXBCR", "written while CCE is set: the request is ignored")
-        if not self.queued:
-            raise self.refuse("TXBCR", "cancelling is for the queue: a FIFO would lose its order")
         for buffer in range(BUFFERS):
             if value & self.pending >> buffer << buffer & 1 << buffer:
                 if buffer == self._active:

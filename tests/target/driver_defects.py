@@ -209,6 +209,18 @@ SENDING = (
         "test_recovery_takes_129_times_eleven_recessive_bits",
     ),
     DriverDefect(
+        "the free level is asked of a queue, where it is always zero",
+        Seen.BUS,
+        "nothing is ever sent",
+        "test_the_free_level_of_a_queue_is_always_zero",
+    ),
+    DriverDefect(
+        "two frames of one identifier are in the queue at once",
+        Seen.BUS,
+        "the newer one, in the lower buffer, overtakes: segments or setpoints in a wrong order",
+        "test_of_equal_identifiers_the_lower_buffer_goes_first_however_new",
+    ),
+    DriverDefect(
         "cancelling is not waited for: the buffer is written while its frame is on the wire",
         Seen.REFUSED,
         "message RAM: pending",

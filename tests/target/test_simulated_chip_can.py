@@ -239,6 +239,30 @@ def test_a_pending_frame_is_cancelled() -> None:
     assert made.bus_read(0x400064C8) == 0
 
 
+def test_a_request_cancelled_in_the_midst_of_a_fifo_leaves_a_hole() -> None:
+    body = START.replace("QUEUE", "0") + JOIN + PUT_THREE
+    made = chip(body + "CAN(1, TXBCR) = 2; REPORT[0] = CAN(1, TXFQS); wait_us(300);")
+    assert report(made, 0) & 0x200007 == 0x200000, "full: its places are in order"
+    assert [sent.frame.identifier for sent in made.buses[0].taken()] == [0x300, 0x200]
+
+
+def test_the_free_level_of_a_queue_is_always_zero() -> None:
+    made = chip(START + "REPORT[0] = CAN(1, TXFQS);")
+    assert report(made, 0) == 0
+
+
+def test_of_equal_identifiers_the_lower_buffer_goes_first_however_new() -> None:
+    made = chip(
+        START + JOIN + "can_put(1, 0, 0x100, 1, 0, 0); can_put(1, 1, 0x100, 1, 1, 0);"
+        "while (CAN(1, TXBRP) & 1) { } can_put(1, 0, 0x080, 0, 0, 0); "
+        "can_put(1, 2, 0x100, 1, 2, 0); wait_us(20);"
+        "while (CAN(1, TXBRP) & 1) { } can_put(1, 0, 0x100, 1, 3, 0); wait_us(400);"
+    )
+    order = [sent.frame.data for sent in made.buses[0].taken() if sent.frame.data]
+    assert sorted(order) == [b"\0", b"\1", b"\2", b"\3"]
+    assert order.index(b"\3") < order.index(b"\2")
+
+
 def test_a_frame_on_the_wire_is_sent_although_it_is_cancelled() -> None:
     made = chip(START + "can_put(1, 1, 0x100, 0, 0, 0); wait_us(20); CAN(1, TXBCR) = 2;")
     assert len(made.buses[0].taken()) == 1
@@ -322,7 +346,7 @@ def test_recovery_takes_129_times_eleven_recessive_bits() -> None:
     made = chip(RECOVER)
     made.buses[0].disturb(32)
     made.run_for(10 * MILLISECOND)
-    assert 129 * 11 - 12 <= report(made, 6) - report(made, 5) <= 129 * 11 + 12
+    assert 129 * 11 - 1 <= report(made, 6) - report(made, 5) <= 129 * 11 + 3
     assert report(made, 1) & 0x7FFF == 0
     assert len(made.buses[0].taken()) > 3, "what was pending is sent"
 
@@ -419,6 +443,52 @@ def test_a_lost_frame_never_comes() -> None:
     made.buses[0].deliver(Frame(0x182))
     made.run_for(MILLISECOND)
     assert [frame.identifier for _, _, frame in made.buses[0].log] == [0x182]
+
+
+@pytest.mark.parametrize(("enable", "flags"), [(0, 0), (1, 1 << 7)])
+def test_a_frame_sent_is_flagged_only_where_that_is_enabled(enable: int, flags: int) -> None:
+    made = chip(START + f"CAN(1, 0xDC) = {enable};" + PUT_THREE)
+    assert len(made.buses[0].taken()) == 3
+    assert made.bus_read(0x40006450) == flags
+
+
+def test_flags_tell_a_change_of_the_error_state_and_are_cleared_by_ones() -> None:
+    made = chip(WAIT)
+    flags = []
+    for tec, rec in ((95, 0), (96, 0), (127, 0), (128, 0), (128, 0), (100, 128), (0, 0), (256, 0)):
+        made.fdcan[0].set_errors(tec, rec)
+        flags.append(made.bus_read(0x40006450) >> 17)
+        made.bus_write(0x40006450, 0xFFFFFF)
+    passive, warning, off = 1, 2, 4
+    assert flags == [0, warning, 0, passive, 0, 0, passive | warning, passive | warning | off]
+
+
+def test_a_flag_is_cleared_alone() -> None:
+    made = chip(WAIT)
+    for number in range(4):
+        made.buses[0].deliver(Frame(0x100 + number))
+    made.run_for(MILLISECOND)
+    made.bus_write(0x40006450, 4)
+    assert made.bus_read(0x40006450) == 3
+    assert not made.bus_read(0x40006490) >> 25 & 1
+
+
+@pytest.mark.parametrize(
+    ("spoil", "code"),
+    [("acknowledged", 3), ("disturbed", 4)],
+)
+def test_the_last_error_tells_what_went_wrong(spoil: str, code: int) -> None:
+    made = chip(SEND_ALL)
+    if spoil == "acknowledged":
+        made.buses[0].acknowledged = False
+    else:
+        made.buses[0].disturb(3)
+    seen = set()
+    for _ in range(300):
+        made.run_for(MICROSECOND)
+        seen.add(report(made, 0) & 7)
+    assert code in seen
+    assert not seen & {1, 2, 5, 6}
 
 
 def test_reading_the_last_error_clears_it() -> None:

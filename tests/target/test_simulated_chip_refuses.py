@@ -180,11 +180,13 @@ WRONG: dict[str, tuple[str, str, str, str]] = {
         STARTED.replace("QUEUE", "0") + "can_put(1, 1, 1, 0, 0, 0);",
         STARTED.replace("QUEUE", "0") + "can_put(1, 0, 1, 0, 0, 0);",
     ),
-    "cancelling in a FIFO": (
-        "FDCAN1_TXBCR",
-        "would lose its order",
-        STARTED.replace("QUEUE", "0") + "can_put(1, 0, 1, 0, 0, 0); CAN(1, TXBCR) = 1;",
-        STARTED + "can_put(1, 0, 1, 0, 0, 0); CAN(1, TXBCR) = 1;",
+    "a fourth request to a FIFO": (
+        "FDCAN1_TXBAR",
+        "pending already",
+        STARTED.replace("QUEUE", "0") + "for (uint32_t i = 0; i < 3; i++) {"
+        "can_put(1, i, 1, 0, 0, 0); } CAN(1, TXBAR) = 1;",
+        STARTED.replace("QUEUE", "0") + "for (uint32_t i = 0; i < 3; i++) {"
+        "can_put(1, i, 1, 0, 0, 0); } wait_us(80); CAN(1, TXBAR) = 1;",
     ),
     "a request while CCE is set": (
         "FDCAN1_TXBAR",
