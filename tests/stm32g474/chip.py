@@ -92,6 +92,8 @@ class Chip:
         self._reset_cause: str | None = None
         self.powered = True
         self.halted = False
+        #: An exception within an exception has stopped the processor until the next reset.
+        self.locked_up = False
         #: Number of the exception that is being handled.
         self.exception = 0
         #: Resets so far: time [ns] and cause.
@@ -156,6 +158,7 @@ class Chip:
             peripheral.reset()
         self.resets.append((self.time, cause))
         self.exception = 0
+        self.locked_up = False
         self.halted = self.system.halts_at_reset
         self.clocks_changed()
         self.processor.start()
@@ -230,6 +233,11 @@ class Chip:
         step = Fraction(rate / self._clock).limit_denominator(1 << 20) * CYCLES
         fraction = step.numerator, step.denominator
         self._state.counters[number] = Counter(self._state.count, value, *fraction, period, top)
+
+    def pins_changed(self) -> None:
+        """Pins have another mode or function; ChipFault where one is in use."""
+        for user in (*self.fdcan, *self.uarts.values()):
+            user.check_pins()
 
     def clocks_changed(self) -> None:
         """The clock tree, the voltage or the wait states are others; ChipFault where that fails."""
@@ -376,7 +384,7 @@ class Chip:
     def _advance(self, time: int) -> None:
         """Execute until a time [ns], or less far."""
         self._state.limit = self._count_at(time)
-        if self.halted or not self.powered:
+        if self.halted or self.locked_up or not self.powered:
             self._state.count = self._state.limit
             return
         trouble = self.processor.run()
@@ -397,11 +405,14 @@ class Chip:
     def _except(self, trouble: Trouble) -> None:
         """An exception of the processor: raised, or taken by the firmware unless it is in one."""
         self.exceptions.append((self.time, f"{trouble.text} at {trouble.place:#010x}"))
-        if self.faults != "take" or self.exception or not trouble.exception:
+        if self.faults != "take" or not trouble.exception:
             raise ChipFault(trouble.place, "processor", trouble.text)
+        if self.exception:
+            self.locked_up = True
+            return
         self.exception = self.system.note_exception(trouble)
         table = self.system.values["VTOR"] or flash_memory.BASE
-        self.processor.enter(self.exception, trouble.place, table)
+        self.locked_up = not self.processor.enter(self.exception, trouble.place, table)
 
     def _lose_ram(self) -> None:
         self.processor.lose_ram(self._random)

@@ -288,9 +288,14 @@ class Fdcan(Peripheral):
         self._recovered = 0
         self._listen(max(self.chip.time, self.bus.recessive_since))
 
+    def check_pins(self) -> None:
+        """ChipFault when it is on the bus and its pins are not."""
+        if not self.stopped:
+            need_pins(self.chip, self.name, ("RX", "TX"))
+
     def _check_start(self) -> None:
         self._check_kernel("CCCR")
-        need_pins(self.chip, self.name, ("RX", "TX"))
+        self.check_pins()
         _, before, after, jump = self.bit_time
         if self.values["NBTP"] >> 8 & 0xFF == 0:
             raise self.refuse("NBTP", "NTSEG1 0 is not allowed")

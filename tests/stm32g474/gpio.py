@@ -95,6 +95,10 @@ class Gpio(Peripheral):
         self.inputs[pin] = level
         self.changed()
 
+    def write(self, address: int, size: int, value: int) -> None:
+        super().write(address, size, value)
+        self.chip.pins_changed()
+
     def read_IDR(self) -> int:
         return sum(self.level(pin) << pin for pin in range(16) if self.mode(pin) != 3)
 

@@ -22,7 +22,6 @@ from unicorn import (
 from unicorn import arm_const as arm
 
 from stm32g474 import flash as flash_memory
-from stm32g474.fault import ChipFault
 from stm32g474.pace import DENIED, DIVISION, NO_COPROCESSOR, UNALIGNED, Ask, Pace, Tell
 
 RAM, RAM_SIZE = 0x20000000, 0x20000
@@ -230,14 +229,14 @@ class Processor:
 
     # -- exceptions ---------------------------------------------------------------------------
 
-    def enter(self, exception: int, place: int, table: int) -> None:
-        """Stack a basic frame and go on at the vector; ChipFault for a stack outside of RAM."""
+    def enter(self, exception: int, place: int, table: int) -> bool:
+        """Stack a basic frame and go on at the vector; False where the stack has left the RAM."""
         emulator = self.emulator
         stack = self.register("sp")
         aligned = stack & 4
         stack = (stack & ~7) - 32
         if not RAM <= stack <= RAM + RAM_SIZE - 32:
-            raise ChipFault(stack, "processor", "lockup: the stack is outside of the RAM")
+            return False
         words = [emulator.reg_read(register) for register in STACKED]
         words += [self.register("lr"), place & ~1, self.register("xpsr") | THUMB | aligned << 7]
         emulator.mem_write(stack, b"".join(word.to_bytes(4, "little") for word in words))
@@ -245,6 +244,7 @@ class Processor:
         emulator.reg_write(arm.UC_ARM_REG_LR, RETURN)
         emulator.reg_write(arm.UC_ARM_REG_XPSR, THUMB | exception)
         self._next = self.read(table + 4 * exception, 4)
+        return True
 
 
 def _cortex_m4() -> Any:

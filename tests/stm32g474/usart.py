@@ -170,15 +170,21 @@ class Usart(Peripheral):
             raise self.refuse("CR1", "FIFOEN and OVER8 are only written while UE is clear")
         self.values["CR1"] = value
         if value & UE and value & (RE | TE):
-            self._check_enabled(value)
+            self._check_enabled()
         if before & UE and not value & UE:
             self._received.clear()
             self._queue.clear()
             self.values["ISR"] = TC | TXE
 
-    def _check_enabled(self, value: int) -> None:
-        signals = [name for name, bit in (("RX", RE), ("TX", TE)) if value & bit]
-        need_pins(self.chip, self.name, signals)
+    def check_pins(self) -> None:
+        """ChipFault when it is enabled and its pins are not."""
+        control = self.values["CR1"]
+        if control & UE:
+            signals = [name for name, bit in (("RX", RE), ("TX", TE)) if control & bit]
+            need_pins(self.chip, self.name, signals)
+
+    def _check_enabled(self) -> None:
+        self.check_pins()
         if not self.kernel:
             raise self.refuse("CR1", "its kernel clock is off (RCC_CCIPR)")
         lowest = 0x300 if self._low_power else 16

@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 from compiled_firmware import image, report
-from stm32g474 import Chip, ChipFault
+from stm32g474 import Chip
 
 MICROSECOND, MILLISECOND = 1_000, 1_000_000
 KEYS = (0x45670123, 0xCDEF89AB)
@@ -279,12 +279,35 @@ def test_a_guarded_range_of_memory_is_denied(rights: int, place: int, denied: bo
         assert report(chip, 2) == 1 << 1 | 1 << 7
 
 
-def test_a_fault_in_the_handler_locks_up() -> None:
+def test_a_fault_in_the_handler_locks_up_until_the_watchdog_bites() -> None:
     more = """void fault_handler(void);
-        void fault_handler(void) { *(uint32_t volatile *)0x30000000U = 1; }"""
-    chip = Chip(image('__asm volatile("udf #1");', more), faults="take")
-    with pytest.raises(ChipFault, match="where nothing is"):
-        chip.run_until(MILLISECOND)
+        void fault_handler(void) { REPORT[0]++; *(uint32_t volatile *)0x30000000U = 1; }"""
+    body = 'REPORT[0] = 0; IWDG(0) = 0xCCCC; __asm volatile("udf #1");'
+    chip = Chip(image(body, more), faults="take")
+    chip.run_until(10 * MILLISECOND)
+    assert chip.locked_up
+    assert report(chip, 0) == 1
+    chip.run_until(600 * MILLISECOND)
+    assert [cause for _, cause in chip.resets] == ["power", "watchdog"]
+
+
+def test_a_stack_outside_of_the_memory_locks_up() -> None:
+    body = '__asm volatile("ldr sp, =0x20000010\\n udf #1\\n .ltorg");'
+    chip = Chip(image(body), faults="take")
+    chip.run_until(MILLISECOND)
+    assert chip.locked_up
+
+
+def test_a_handler_resets_the_chip_and_the_firmware_finds_what_it_left() -> None:
+    more = """void fault_handler(void);
+        void fault_handler(void) { REPORT[0] = SCB(0x28); SCB(0x0C) = 0x05FA0004U;
+            for (;;) { } }"""
+    body = """if (RCC(RCC_CSR) >> 28 & 1) { REPORT[1] = REPORT[0]; for (;;) { } }
+        __asm volatile("udf #1");"""
+    chip = Chip(image(body, more), faults="take")
+    chip.run_until(MILLISECOND)
+    assert [cause for _, cause in chip.resets] == ["power", "software"]
+    assert report(chip, 1) == 1 << 16
 
 
 # -- flash -------------------------------------------------------------------------------------

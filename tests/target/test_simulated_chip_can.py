@@ -192,6 +192,30 @@ def test_filters_sort_frames(frame: Frame, first: int, second: int, match: int |
         assert made.bus_read(0x4000A400 + at + 4) >> 24 == match
 
 
+@pytest.mark.parametrize(
+    ("settings", "frame", "stored"),
+    [
+        (0, Frame(0x181, remote=True, length=8), 0x181 << 18 | 1 << 29),
+        (2, Frame(0x181, remote=True, length=8), None),
+        (1, Frame(0x181, remote=True, length=8), 0x181 << 18 | 1 << 29),
+        (1, Frame(0x181, extended=True, remote=True, length=1), None),
+        (0, Frame(0x181, extended=True, remote=True, length=1), 0x181 | 3 << 29),
+        (3, Frame(0x181, bytes(8)), 0x181 << 18),
+    ],
+)
+def test_remote_frames_are_told_apart_or_rejected(
+    settings: int, frame: Frame, stored: int | None
+) -> None:
+    made = chip(START.replace("QUEUE, 0", f"QUEUE, {settings}"))
+    made.buses[0].deliver(frame)
+    made.run_for(MILLISECOND)
+    if stored is None:
+        assert made.bus_read(0x40006490) & 15 == 0
+    else:
+        assert made.bus_read(0x4000A400 + 0xB0) == stored
+        assert made.bus_read(0x4000A400 + 0xB4) >> 16 & 15 == frame.length
+
+
 #: Until the controller takes part, which it does after eleven bits.
 JOIN = "wait_us(20);"
 PUT_THREE = (

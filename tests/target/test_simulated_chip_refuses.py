@@ -113,6 +113,12 @@ WRONG: dict[str, tuple[str, str, str, str]] = {
         CONFIGURED + "GPIO(0, 0x24) = (GPIO(0, 0x24) & ~0xF000U) | 8U << 12; can_start(1);",
         CONFIGURED + "can_start(1);",
     ),
+    "a pin taken away from a controller at work": (
+        "FDCAN1",
+        "TX is on no pin",
+        STARTED + "GPIO(0, 0) |= 3U << 24;",
+        STARTED + "GPIO(0, 0) |= 3U << 2;",
+    ),
     "two pins for one signal": (
         "FDCAN1",
         "RX is on PA11 and PB8",
