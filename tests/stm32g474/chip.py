@@ -236,8 +236,10 @@ class Chip:
 
     def pins_changed(self) -> None:
         """Pins have another mode or function; ChipFault where one is in use."""
-        for user in (*self.fdcan, *self.uarts.values()):
-            user.check_pins()
+        for node in self.fdcan:
+            node.check_pins()
+        for port in self.uarts.values():
+            port.check_pins()
 
     def clocks_changed(self) -> None:
         """The clock tree, the voltage or the wait states are others; ChipFault where that fails."""

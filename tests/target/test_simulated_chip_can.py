@@ -315,6 +315,19 @@ def test_without_anyone_to_acknowledge_it_sends_for_ever_and_stays_passive() -> 
     assert report(made, 1) & 0xFF < 128
 
 
+def test_attempts_without_acknowledgement_take_their_bits() -> None:
+    """To the slot of the acknowledgement, flags and delimiter, the gap; passive ones wait more."""
+    made = chip(SEND_ALL)
+    made.buses[0].acknowledged = False
+    attempt = bits_of(SENT) - 8 + 20 + 3
+    made.run_for(16 * attempt * MICROSECOND)
+    assert made.buses[0].errors in (15, 16)
+    made.run_for(MILLISECOND)
+    before = made.buses[0].errors
+    made.run_for(40 * (attempt + 8) * MICROSECOND)
+    assert made.buses[0].errors - before in (40, 41)
+
+
 def test_an_unacknowledged_frame_is_sent_once_when_that_is_chosen() -> None:
     body = START.replace("can_start", "CAN(1, CCCR) |= 1U << 6; can_start")
     made = Chip(
