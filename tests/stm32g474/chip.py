@@ -105,6 +105,7 @@ class Chip:
         self.processor.flash[offset : offset + len(flash)] = flash
         self._state = self.processor.pace.state
         self._anchor = 0, 0
+        self._due: int | None = None
         self._set_clock(hsi)
         self._windows = [self.processor.pace.open_window(*window) for window in WINDOWS]
         self._build(bit_rates, watchdog_by_hardware)
@@ -114,7 +115,12 @@ class Chip:
 
     @property
     def time(self) -> int:
-        """Since the chip was made [ns]."""
+        """Since the chip was made [ns]; while something happens, when it was due."""
+        return self._executed if self._due is None else self._due
+
+    @property
+    def _executed(self) -> int:
+        """How far the processor is, which is by a few instructions more."""
         return self.time_of(self._state.count)
 
     @property
@@ -247,7 +253,7 @@ class Chip:
         self.flash_controller.check_clock(hclk)
         if hclk != self._clock:
             self.watchdog.note_fed()
-            self._anchor = self.time, self._state.count
+            self._anchor = self._executed, self._state.count
             self._set_clock(hclk)
             self.rcc.note_clock()
         for follower in self._followers:
@@ -379,8 +385,12 @@ class Chip:
         self._state.limit = min(self._state.limit, self._count_at(time))
 
     def _do_what_is_due(self) -> None:
-        while action := self._schedule.take(self.time):
-            action()
+        while event := self._schedule.take(self._executed):
+            self._due, action = event
+            try:
+                action()
+            finally:
+                self._due = None
             self._settle()
 
     def _advance(self, time: int) -> None:

@@ -42,11 +42,12 @@ class Schedule:
             heappop(self._heap)
         return self._heap[0][0] if self._heap else None
 
-    def take(self, time: int) -> Action | None:
-        """The next action that is due, taken off; None when none is due."""
+    def take(self, time: int) -> tuple[int, Action] | None:
+        """The next action that is due and its own time, taken off; None when none is due."""
         due = self.next()
         if due is None or due > time:
             return None
         event = heappop(self._heap)[2]
         action, event.action = event.action, None
-        return action
+        assert action is not None
+        return event.time, action

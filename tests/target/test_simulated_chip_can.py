@@ -425,6 +425,18 @@ def test_a_bus_that_stays_dominant_makes_a_listener_passive() -> None:
     assert not report(made, 0) & BUS_OFF
 
 
+def test_after_a_bus_was_dominant_nobody_sends_for_eleven_bits() -> None:
+    made = chip(WAIT)
+    made.buses[0].stuck_dominant = True
+    made.buses[0].deliver(Frame(0x181))
+    made.run_for(MILLISECOND)
+    released = made.time
+    made.buses[0].stuck_dominant = False
+    made.run_for(MILLISECOND)
+    ((passed, _, frame),) = made.buses[0].log
+    assert passed - released == (11 + bits_of(frame)) * MICROSECOND
+
+
 @pytest.mark.parametrize(
     "nbtp",
     [
