@@ -21,6 +21,40 @@ def test_the_timer_and_the_chip_agree_on_the_time() -> None:
     assert report(chip, 0) - before == pytest.approx((chip.time - begin) / 1000, abs=2)
 
 
+@pytest.mark.parametrize(
+    ("settings", "system", "for_can"),
+    [
+        # crystal / 6 * 85 = 340 MHz, then / 2, 4, 6, 8 for the system and for the controllers
+        ("3U | 5U << 4 | 85U << 8 | 1U << 24 | 1U << 25 | 1U << 20", 85e6, 170e6),
+        ("3U | 5U << 4 | 85U << 8 | 1U << 24 | 2U << 25 | 1U << 20 | 1U << 21", 340e6 / 6, 85e6),
+        ("3U | 5U << 4 | 85U << 8 | 1U << 24 | 3U << 25 | 1U << 20 | 3U << 21", 42.5e6, 42.5e6),
+        ("3U | 1U << 4 | 10U << 8 | 1U << 24", 60e6, 0),
+    ],
+)
+def test_the_clock_tree_divides(settings: str, system: float, for_can: float) -> None:
+    body = f"""RCC(RCC_CR) |= 1U << 16; while (!(RCC(RCC_CR) & 1U << 17)) {{ }}
+        RCC(RCC_PLLCFGR) = {settings}; RCC(RCC_CR) |= 1U << 24;
+        while (!(RCC(RCC_CR) & 1U << 25)) {{ }}
+        FLASH(FLASH_ACR) = (FLASH(FLASH_ACR) & ~0xFU) | 4U; RCC(RCC_CFGR) = 3U | 8U << 4;
+        for (uint32_t volatile i = 0; i < 60; i++) {{ }}
+        RCC(RCC_CFGR) = 3U | 4U << 8 | 5U << 11; RCC(RCC_CCIPR) = 1U << 24;"""
+    chip = Chip(image(body))
+    chip.run_until(5 * MILLISECOND)
+    tree = chip.rcc
+    found = tree.sysclk, tree.hclk, tree.pclk1, tree.pclk2, tree.fdcan
+    assert found == pytest.approx((system, system, system / 2, system / 4, for_can))
+
+
+def test_a_timer_behind_a_divided_bus_has_twice_its_clock() -> None:
+    body = """clock_170(); RCC(RCC_CFGR) |= 5U << 8; wait_us(1); REPORT[0] = 1;
+        for (;;) { REPORT[0] = TIM2(0x24); }"""
+    chip = Chip(image(body))
+    chip.run_until(4 * MILLISECOND)
+    before, begin = report(chip, 0), chip.time
+    chip.run_for(10 * MILLISECOND)
+    assert report(chip, 0) - before == pytest.approx((chip.time - begin) / 2000, abs=2)
+
+
 def test_cycles_count_with_the_clock_of_the_processor() -> None:
     body = """clock_170(); REGISTER(0xE000EDFCU) = 1U << 24; REGISTER(0xE0001000U) |= 1;
         wait_us(1); uint32_t const a = REGISTER(0xE0001004U); wait_us(1000);
@@ -46,9 +80,9 @@ def test_systick_counts_down_and_flags_its_end() -> None:
 
 def test_a_timer_flags_its_overflow_in_time() -> None:
     body = """clock_170(); wait_us(1); RCC(RCC_APB1ENR1) |= 8; (void)RCC(RCC_APB1ENR1);
-        TIM5(0x28) = 169; TIM5(0x2C) = 499; TIM5(0x14) = 1; TIM5(0x10) = 0; TIM5(0) = 1;
+        TIM5(0x28) = 169; TIM5(0x2C) = 19; TIM5(0x14) = 1; TIM5(0x10) = 0; TIM5(0) = 1;
         uint32_t const t = TIM2(0x24);
-        for (uint32_t n = 0; n < 8; n++) { while (!(TIM5(0x10) & 1)) { } TIM5(0x10) = ~1U; }
+        for (uint32_t n = 0; n < 200; n++) { while (!(TIM5(0x10) & 1)) { } TIM5(0x10) = ~1U; }
         REPORT[0] = TIM2(0x24) - t;"""
     chip = Chip(image(body))
     chip.run_until(8 * MILLISECOND)
@@ -140,6 +174,17 @@ def test_the_watchdog_resets_unless_it_is_fed() -> None:
     times = [time for time, _ in hungry.resets]
     assert [cause for _, cause in hungry.resets[1:]] == ["watchdog"] * (len(times) - 1)
     assert all(10 <= (b - a) / MILLISECOND < 11 for a, b in pairwise(times))
+
+
+@pytest.mark.parametrize(("pause", "resets"), [(1, True), (6000, False)])
+def test_a_window_resets_what_feeds_too_soon(pause: int, resets: bool) -> None:
+    """The counter has to be down from 79 to 40: 39 times 4 clocks of 32 kHz are 4.9 ms."""
+    window = WATCHED.replace(
+        "IWDG(0) = 0xAAAA;", "IWDG(0) = 0x5555; IWDG(16) = 40; while (IWDG(12)) { } clock_170();"
+    )
+    chip = Chip(image(window + f"for (;;) {{ wait_us({pause}); IWDG(0) = 0xAAAA; (void)n; }}"))
+    chip.run_until(40 * MILLISECOND)
+    assert (len(chip.resets) > 1) == resets
 
 
 def test_a_fast_slow_oscillator_bites_sooner() -> None:

@@ -255,6 +255,18 @@ def test_the_smaller_identifier_of_all_nodes_wins() -> None:
     assert len(order) == 6
 
 
+def test_two_nodes_with_one_identifier_destroy_each_other() -> None:
+    body = START + JOIN + "can_put(1, 1, 0x100, 8, 0, 0); can_put(1, 0, 0x181, 1, 1, 0);"
+    made = Chip(image(body))
+    while made.buses[0].idle:
+        made.run_for(MICROSECOND)
+    made.buses[0].deliver(Frame(0x181, b"\2"))
+    made.run_for(MILLISECOND)
+    assert made.buses[0].errors > 5
+    assert [sent.frame.identifier for sent in made.buses[0].taken()] == [0x100]
+    assert made.bus_read(0x40006440) & 0xFF >= 40
+
+
 def test_a_pending_frame_is_cancelled() -> None:
     made = chip(START + JOIN + PUT_THREE + "CAN(1, TXBCR) = 4;")
     assert [sent.frame.identifier for sent in made.buses[0].taken()] == [0x300, 0x100]
