@@ -127,7 +127,7 @@ class Fdcan(Peripheral):
     def _clear(self) -> None:
         self.tec = self.rec = self.logged = 0
         self.bus_off = self.takes_part = False
-        self._recovered = 0
+        self._recovered = self._stamped = 0
         self._last = UNCHANGED
         self._active: int | None = None
         self._restart_tables()
@@ -395,20 +395,19 @@ class Fdcan(Peripheral):
         self.values["IR"] &= ~value
 
     def read_TSCV(self) -> int:
-        if self.values["TSCC"] & 3 != 1:
-            return 0
         return self.time_stamp
 
     @property
     def time_stamp(self) -> int:
-        """Bits, divided, since the chip has its power."""
-        divider = (self.values["TSCC"] >> 16 & 0xF) + 1
+        """Bits, divided, since it was set to zero."""
         if self.values["TSCC"] & 3 != 1:
             return 0
-        return int(self.chip.time * self.bit_rate / 1e9 / divider) & 0xFFFF
+        divider = (self.values["TSCC"] >> 16 & 0xF) + 1
+        return int((self.chip.time - self._stamped) * self.bit_rate / 1e9 / divider) & 0xFFFF
 
     def write_TSCV(self, _value: int) -> None:
-        raise self.refuse("TSCV", "setting the time stamp to zero is not part of this model")
+        """Any value sets it to zero."""
+        self._stamped = self.chip.time
 
     # -- receiving ----------------------------------------------------------------------------
 

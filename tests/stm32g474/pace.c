@@ -29,6 +29,7 @@ typedef struct {
     uint64_t reason;
     uint64_t floating; /**< whether the floating-point unit is enabled */
     uint64_t dividing; /**< whether a division by zero is refused */
+    uint64_t aligning; /**< whether every unaligned access is refused */
     uint64_t address;  /**< of the data of a refused instruction */
     uint64_t feeding;  /**< address of a register that is fed with `food`, or zero */
     uint64_t food;
@@ -141,7 +142,10 @@ void pace_memory(void *emulator, int type, uint64_t address, int size, int64_t v
     pace *const p = user;
     (void)type;
     (void)value;
-    if ((address & 3U) != 0 && size >= 4 && needs_words(instruction_at(emulator, p, p->place))) {
+    bool const unaligned = (address & ((uint64_t)size - 1U)) != 0;
+    if (unaligned &&
+        (p->aligning != 0 ||
+         (size >= 4 && needs_words(instruction_at(emulator, p, p->place))))) {
         p->address = address;
         refuse(emulator, p, UNALIGNED);
     } else if (p->guards != 0 && is_denied(p, address)) {

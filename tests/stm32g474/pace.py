@@ -46,6 +46,7 @@ class State(ctypes.Structure):
         ("reason", c_uint64),
         ("floating", c_uint64),
         ("dividing", c_uint64),
+        ("aligning", c_uint64),
         ("address", c_uint64),
         ("feeding", c_uint64),
         ("food", c_uint64),

@@ -92,7 +92,8 @@ class SystemControl(Peripheral):
         self.values |= self._debugger
         self._regions = {}
         self._pace.deny([])
-        self._pace.state.floating = self._pace.state.dividing = 0
+        state = self._pace.state
+        state.floating = state.dividing = state.aligning = 0
         self._tick(0)
 
     def forget_debugger(self) -> None:
@@ -176,10 +177,9 @@ class SystemControl(Peripheral):
         self._pace.state.floating = int(both == 0xF)
 
     def write_CCR(self, value: int) -> None:
-        if value & 8:
-            raise self.refuse("CCR", "UNALIGN_TRP is not part of this model")
         self.values["CCR"] = value
-        self._pace.state.dividing = int(value >> 4 & 1)
+        self._pace.state.aligning = value >> 3 & 1
+        self._pace.state.dividing = value >> 4 & 1
 
     def note_exception(self, trouble: Trouble) -> int:
         """Flags and address of an exception; its number: escalated unless it is enabled."""

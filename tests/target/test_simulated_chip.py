@@ -307,6 +307,17 @@ def test_division_by_zero_is_zero_unless_it_is_trapped() -> None:
     assert report(chip, 2) == 1 << 25
 
 
+@pytest.mark.parametrize(("instruction", "odd"), [("ldr", 1), ("ldr", 2), ("ldrh", 1), ("ldrb", 1)])
+@pytest.mark.parametrize("trapped", [False, True])
+def test_unaligned_words_are_read_unless_they_are_trapped(
+    instruction: str, odd: int, trapped: bool
+) -> None:
+    load = f'__asm volatile("{instruction} r0, [%0]" : : "r"({0x20008000 + odd}U) : "r0");'
+    chip = Chip(image(f"SCB(0x14) |= {8 * trapped}; {load}", FAULT_HANDLER), faults="take")
+    chip.run_until(MILLISECOND)
+    assert bool(chip.exceptions) == (trapped and instruction != "ldrb")
+
+
 GUARD = "SCB(0x9C) = 0x20008000U | 0x10U; SCB(0xA0) = 1U | 4U << 1 | {rights}U << 24;"
 TOUCH = "SCB(0x94) = 5; *(uint32_t volatile *)({place}U) = 1;"
 

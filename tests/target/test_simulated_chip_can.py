@@ -305,6 +305,18 @@ def test_a_frame_on_the_wire_is_sent_although_it_is_cancelled() -> None:
     assert (made.bus_read(0x400064D8), made.bus_read(0x400064D4)) == (2, 2)
 
 
+def test_frames_are_stamped_with_their_bit() -> None:
+    body = START.replace("can_start", "CAN(1, 0x20) = 1; can_start") + JOIN + "CAN(1, 0x24) = 0;"
+    made = chip(body)
+    made.run_until(4 * MILLISECOND)
+    begin = made.bus_read(0x40006424)
+    made.buses[0].deliver(Frame(0x181))
+    made.run_for(MILLISECOND)
+    assert made.bus_read(0x40006424) - begin in (1000, 1001)
+    stamp = made.bus_read(0x4000A4B4) & 0xFFFF
+    assert stamp - begin == pytest.approx(bits_of(Frame(0x181)), abs=1)
+
+
 def test_events_tell_what_was_sent() -> None:
     body = START + "RAM(1, TX) = 0x123U << 18; RAM(1, TX + 4) = 0x5AU << 24 | 1U << 23;"
     made = chip(body + "CAN(1, TXBAR) = 1;")
