@@ -33,8 +33,8 @@ typedef struct {
     uint64_t address;  /**< of the data of a refused instruction */
     uint64_t feeding;  /**< address of a register that is fed with `food`, or zero */
     uint64_t food;
-    uint64_t fed;      /**< the count when that was done last */
-    uint64_t guards;   /**< how many ranges are denied */
+    uint64_t fed;    /**< the count when that was done last */
+    uint64_t guards; /**< how many ranges are denied */
     struct {
         uint64_t begin, end; /**< no data is read or written from here to before there */
     } denied[8];
@@ -144,8 +144,7 @@ void pace_memory(void *emulator, int type, uint64_t address, int size, int64_t v
     (void)value;
     bool const unaligned = (address & ((uint64_t)size - 1U)) != 0;
     if (unaligned &&
-        (p->aligning != 0 ||
-         (size >= 4 && needs_words(instruction_at(emulator, p, p->place))))) {
+        (p->aligning != 0 || (size >= 4 && needs_words(instruction_at(emulator, p, p->place))))) {
         p->address = address;
         refuse(emulator, p, UNALIGNED);
     } else if (p->guards != 0 && is_denied(p, address)) {

@@ -16,7 +16,7 @@
 #define IWDG(offset) REGISTER(0x40003000U + (offset))
 #define USART2(offset) REGISTER(0x40004400U + (offset))
 #define CAN(number, offset) REGISTER(0x40006000U + 0x400U * (number) + (offset))
-#define RAM(number, offset) REGISTER(0x4000A400U + 0x350U * ((number) - 1U) + (offset))
+#define RAM(number, offset) REGISTER(0x4000A400U + 0x350U * ((number)-1U) + (offset))
 #define SCB(offset) REGISTER(0xE000ED00U + (offset))
 
 enum { RCC_CR = 0x00, RCC_CFGR = 0x08, RCC_PLLCFGR = 0x0C, RCC_AHB1ENR = 0x48, RCC_AHB2ENR = 0x4C };
