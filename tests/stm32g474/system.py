@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from stm32g474.pace import FIRST_COUNTER, Pace
+from stm32g474.pace import ASKED, FIRST_COUNTER, Pace
 from stm32g474.peripheral import Access, Peripheral, Register, Registers, row
 from stm32g474.processor import BUS, BUS_VALID, HARD, MEMORY, MEMORY_VALID, USAGE, Trouble
+from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
     from stm32g474.chip import Chip
 
 VECTOR_KEY, RESET_REQUEST = 0x05FA, 1 << 2
+COUNTED = 1 << 16
 #: HFSR.
 FORCED, BY_DEBUG = 1 << 30, 1 << 31
 #: Registers of the processor by their number in DCRSR.
@@ -33,7 +35,7 @@ class SystemControl(Peripheral):
     REGISTERS: ClassVar[Registers] = {
         "ICTR": Register(0x004, reset=3, access=Access.READ),
         "ACTLR": Register(0x008, 0x00000307),
-        "SYST_CSR": Register(0x010, 0x00010007, lasting=False),
+        "SYST_CSR": Register(0x010, 0x00010007),
         "SYST_RVR": Register(0x014, 0x00FFFFFF),
         "SYST_CVR": Register(0x018),
         "SYST_CALIB": Register(0x01C, access=Access.READ),
@@ -77,7 +79,8 @@ class SystemControl(Peripheral):
 
     def __init__(self, chip: Chip, counter: int) -> None:
         self.counter = counter
-        self._looked = 0
+        self._wrap: Event | None = None
+        self._flagged = False
         self._debugger = {"DHCSR": 0, "DEMCR": 0}
         self._regions: dict[int, tuple[int, int]] = {}
         super().__init__(chip, "SCS", 0xE000E000, None)
@@ -108,7 +111,10 @@ class SystemControl(Peripheral):
     # -- SysTick ------------------------------------------------------------------------------
 
     def kind_of(self, key: str) -> int:
-        return FIRST_COUNTER + self.counter if key == "SYST_CVR" else super().kind_of(key)
+        if key == "SYST_CVR":
+            return FIRST_COUNTER + self.counter
+        # Reading the flag clears it: what is read next is another value.
+        return ASKED if key == "SYST_CSR" and self._flagged else super().kind_of(key)
 
     @property
     def _reload(self) -> int:
@@ -123,9 +129,24 @@ class SystemControl(Peripheral):
     def _tick(self, passed: int) -> None:
         """Let SysTick stand at a number of clocks since its reload, and go on."""
         rate, period = self._rate(), self._reload + 1
-        self.chip.set_counter(self.counter, passed % period, rate, period, self._reload)
-        self._looked = self.chip.time
+        passed %= period
+        self.chip.set_counter(self.counter, passed, rate, period, self._reload)
+        if self._wrap:
+            self._wrap.cancel()
+            self._wrap = None
+        if rate:
+            # The flag comes with the count zero, a clock before the reload.
+            left = (self._reload - passed) % period or period
+            self._flag_at(self.chip.time + left * 1e9 / rate, period * 1e9 / rate)
         self.changed()
+
+    def _flag_at(self, due: float, period: float) -> None:
+        def flag() -> None:
+            self.values["SYST_CSR"] |= COUNTED
+            self.changed()
+            self._flag_at(due + period, period)
+
+        self._wrap = self.chip.at(int(due), flag)
 
     def clocks_changed(self) -> None:
         """SysTick goes on with another clock."""
@@ -135,14 +156,10 @@ class SystemControl(Peripheral):
         return self.chip.counted(self.counter)
 
     def read_SYST_CSR(self) -> int:
-        rate = self._rate()
-        wrapped = 0
-        if rate:
-            down = self.chip.counted(self.counter)
-            since = (self.chip.time - self._looked) * rate / 1e9
-            wrapped = since > self._reload - down
-        self._looked = self.chip.time
-        return self.values["SYST_CSR"] | bool(wrapped) << 16
+        value = self.values["SYST_CSR"]
+        self._flagged = bool(value & COUNTED)
+        self.values["SYST_CSR"] &= ~COUNTED
+        return value
 
     def write_SYST_CSR(self, value: int) -> None:
         if value & 2:
@@ -150,9 +167,16 @@ class SystemControl(Peripheral):
         if value & 1 and not self._reload:
             raise self.refuse("SYST_CSR", "enabled without a reload value: it never counts")
         self.values["SYST_CSR"] = value & 7
-        self._tick(0)
+        self._tick(self._reload - self.chip.counted(self.counter))
+
+    def write_SYST_RVR(self, value: int) -> None:
+        if self.values["SYST_CSR"] & 1:
+            raise self.refuse("SYST_RVR", "another reload while it counts: not part of this model")
+        self.values["SYST_RVR"] = value
 
     def write_SYST_CVR(self, _value: int) -> None:
+        """Any value sets it to zero, from where it is reloaded at the next clock."""
+        self.values["SYST_CSR"] &= ~COUNTED
         self._tick(0)
 
     # -- control block ------------------------------------------------------------------------

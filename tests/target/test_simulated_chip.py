@@ -1,16 +1,26 @@
 """The processor, the memories, the clocks and the time of the simulated chip."""
 
+import subprocess
 from itertools import pairwise
 from random import Random
 
 import pytest
 from compiled_firmware import image, report
 from stm32g474 import Chip
+from stm32g474.pace import SOURCE
 
 MICROSECOND, MILLISECOND = 1_000, 1_000_000
 KEYS = (0x45670123, 0xCDEF89AB)
 KEYR, SR, CR = 0x40022008, 0x40022010, 0x40022014
 PAGE = 0x08040000
+
+
+STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-fsyntax-only")
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_the_compiled_part_compiles_without_a_warning(compiler: str) -> None:
+    subprocess.run([compiler, *STRICT, str(SOURCE)], check=True)
 
 
 def test_the_timer_and_the_chip_agree_on_the_time() -> None:
