@@ -113,10 +113,18 @@ class Iwdg(Peripheral):
     def _run_out(self) -> None:
         self.note_fed()
         due = self._reloaded + self.timeout
-        if due > self.chip.time:
+        if self._frozen:
+            self._reload()
+        elif due > self.chip.time:
             self._end = self.chip.at(due, self._run_out)
         else:
             self.chip.request_reset("watchdog")
+
+    @property
+    def _frozen(self) -> bool:
+        """A debugger has halted the processor and wants the watchdog to wait."""
+        debug = self.chip.peripherals["DBGMCU"].values["APB1FZR1"]
+        return self.chip.halted and bool(debug >> 12 & 1)
 
     def _check_window(self) -> None:
         """A reload before the counter is down at the window resets the chip."""

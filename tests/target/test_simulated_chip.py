@@ -55,6 +55,17 @@ def test_the_clock_tree_divides(settings: str, system: float, for_can: float) ->
     assert found == pytest.approx((system, system, system / 2, system / 4, for_can))
 
 
+def test_time_goes_on_evenly_while_the_clock_changes() -> None:
+    chip = Chip(image("clock_170(); for (;;) { }"))
+    times, clocks = [], set()
+    while chip.time < 4 * MILLISECOND:
+        chip.run_for(5 * MICROSECOND)
+        times.append(chip.time)
+        clocks.add(round(chip.rcc.hclk))
+    assert clocks == {16_128_000, 85_000_000, 170_000_000} or clocks == {16_128_000, 170_000_000}
+    assert all(5 <= (later - sooner) / 1000 < 8 for sooner, later in pairwise(times))
+
+
 def test_a_timer_behind_a_divided_bus_has_twice_its_clock() -> None:
     body = """clock_170(); RCC(RCC_CFGR) |= 5U << 8; wait_us(1); REPORT[0] = 1;
         for (;;) { REPORT[0] = TIM2(0x24); }"""
@@ -464,6 +475,18 @@ def test_a_debugger_reads_and_sets_the_processor() -> None:
     assert 0x08000000 <= chip.bus_read(0xE000EDF8) < 0x08001000
     chip.bus_write(0xE000EDF4, 13)
     assert chip.bus_read(0xE000EDF8) == 0x20004000
+
+
+@pytest.mark.parametrize(("freeze", "resets"), [(0, 1), (1 << 12, 0)])
+def test_the_watchdog_goes_on_while_a_debugger_halts_unless_it_is_frozen(
+    freeze: int, resets: int
+) -> None:
+    chip = Chip(image(WATCHED + "for (;;) { IWDG(0) = 0xAAAA; (void)n; }"))
+    chip.run_until(5 * MILLISECOND)
+    chip.bus_write(0xE0042008, freeze)
+    chip.bus_write(0xE000EDF0, 0xA05F0003)
+    chip.run_for(12 * MILLISECOND)
+    assert len(chip.resets) - 1 == resets
 
 
 def test_a_debugger_halts_the_chip_at_its_first_instruction() -> None:

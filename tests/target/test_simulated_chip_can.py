@@ -88,6 +88,13 @@ def test_the_bit_rate_is_that_of_prescaler_and_segments() -> None:
     assert made.fdcan[0].understands
 
 
+def test_a_bus_can_have_another_bit_rate() -> None:
+    half = SEND.replace("ONE_MEGABIT", "1U << 25 | 19U << 16 | 13U << 8 | 1U")
+    made = Chip(image(half), bit_rates=(500e3, 1e6, 1e6))
+    made.run_until(STARTED)
+    assert [sent.frame for sent in made.buses[0].taken()] == [SENT]
+
+
 RECEIVE = f"""{START}
     for (uint32_t n = 0;;) {{
         uint32_t const s = CAN(1, RXF0S);
