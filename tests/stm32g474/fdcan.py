@@ -9,6 +9,7 @@ from stm32g474.frame import Frame
 from stm32g474.gpio import need_pins
 from stm32g474.message_ram import ELEMENT, RX_FIFO, TX_BUFFER, TX_EVENT, Message, MessageRam
 from stm32g474.peripheral import Access, Peripheral, Register, Registers
+from stm32g474.requests import BUFFERS, Requests
 from stm32g474.schedule import Event
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ SYNCHRONISING, IDLE, RECEIVER, TRANSMITTER = range(4)
 NEW, FULL, LOST = 1, 2, 4
 HPM, TC, TCF, TFE, TEFN, TEFF, TEFL = 1 << 6, 1 << 7, 1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12
 ELO, EP, EW, BO, PEA = 1 << 16, 1 << 17, 1 << 18, 1 << 19, 1 << 21
-BUFFERS, DEPTH = 3, 3
+DEPTH = 3
 #: Sequences of eleven recessive bits that end the state bus-off.
 RECOVERY = 129
 #: Clocks of the kernel until INIT has arrived there and is read back.
@@ -134,10 +135,7 @@ class Fdcan(Peripheral):
 
     def _restart_tables(self) -> None:
         """FIFOs and requests as after a reset, which setting CCE does too."""
-        self.pending = self.occurred = self.cancelled = self._cancelling = 0
-        self._messages: dict[int, Message] = {}
-        self._order: list[int] = []
-        self._put = 0
+        self.requests = Requests()
         self.rx[0], self.rx[1], self.events = _Fifo(), _Fifo(), _Fifo()
         self.ram.attach(self)
 
@@ -468,31 +466,25 @@ class Fdcan(Peripheral):
         """By identifier, not in the order of the requests."""
         return bool(self.values["TXBC"] & QUEUE)
 
-    def read_TXFQS(self) -> int:
-        if self.queued:
-            free = [buffer for buffer in range(BUFFERS) if not self.pending >> buffer & 1]
-            return (free[0] if free else 0) << 16 | (not free) << 21
-        get = self._order[0] if self._order else self._put
-        return self._fifo_level | get << 8 | self._put << 16 | (not self._fifo_level) << 21
-
     @property
-    def _fifo_level(self) -> int:
-        """Free places from the put index on; a request cancelled in the midst leaves a hole."""
-        if not self._order:
-            return BUFFERS
-        return (self._order[0] - self._put) % BUFFERS
+    def pending(self) -> int:
+        """Buffers that are to be sent, as bits."""
+        return self.requests.pending
+
+    def read_TXFQS(self) -> int:
+        return self.requests.status(self.queued)
 
     def read_TXBRP(self) -> int:
-        return self.pending
+        return self.requests.pending
 
     def read_TXBCR(self) -> int:
-        return self._cancelling
+        return self.requests.cancelling
 
     def read_TXBTO(self) -> int:
-        return self.occurred
+        return self.requests.occurred
 
     def read_TXBCF(self) -> int:
-        return self.cancelled
+        return self.requests.cancelled
 
     def write_TXBAR(self, value: int) -> None:
         if self.values["CCCR"] & CCE:
@@ -506,61 +498,37 @@ class Fdcan(Peripheral):
             self.bus.request()
 
     def _request(self, buffer: int) -> None:
-        if not self.queued:
-            if not self._fifo_level:
-                raise self.refuse("TXBAR", "the FIFO is full")
-            if buffer != self._put:
-                text = f"buffer {buffer} is requested, but the FIFO's put index is {self._put}"
-                raise self.refuse("TXBAR", text)
-            self._put = (self._put + 1) % BUFFERS
-            self._order.append(buffer)
-        self._messages[buffer] = self.ram.message(TX_BUFFER + ELEMENT * buffer)
-        self.pending |= 1 << buffer
-        self.occurred &= ~(1 << buffer)
-        self.cancelled &= ~(1 << buffer)
+        put = self.requests.put
+        if not self.queued and not self.requests.level:
+            raise self.refuse("TXBAR", "the FIFO is full")
+        if not self.queued and buffer != put:
+            text = f"buffer {buffer} is requested, but the FIFO's put index is {put}"
+            raise self.refuse("TXBAR", text)
+        self.requests.add(buffer, self.ram.message(TX_BUFFER + ELEMENT * buffer))
 
     def write_TXBCR(self, value: int) -> None:
         if self.values["CCCR"] & CCE:
             raise self.refuse("TXBCR", "written while CCE is set: the request is ignored")
         for buffer in range(BUFFERS):
-            if value & self.pending >> buffer << buffer & 1 << buffer:
-                if buffer == self._active:
-                    self._cancelling |= 1 << buffer
-                else:
-                    self._cancel(buffer)
+            if not value & self.pending & 1 << buffer:
+                continue
+            if buffer == self._active:
+                self.requests.cancelling |= 1 << buffer
+            else:
+                self._end_request(buffer, False)
 
-    def _cancel(self, buffer: int) -> None:
-        self._forget(buffer)
-        self._flag_cancelled(buffer)
-
-    def _flag_cancelled(self, buffer: int) -> None:
-        self.cancelled |= 1 << buffer
-        if self.values["TXBCIE"] >> buffer & 1:
+    def _end_request(self, buffer: int, sent: bool) -> None:
+        if self.requests.end(buffer, sent) and self.values["TXBCIE"] >> buffer & 1:
             self.values["IR"] |= TCF
-
-    def _forget(self, buffer: int) -> None:
-        self.pending &= ~(1 << buffer)
-        self._cancelling &= ~(1 << buffer)
-        self._messages.pop(buffer, None)
-        if buffer in self._order:
-            self._order.remove(buffer)
-
-    def _best(self) -> int | None:
-        waiting = [buffer for buffer in range(BUFFERS) if self.pending >> buffer & 1]
-        if not waiting:
-            return None
-        if not self.queued:
-            return self._order[0]
-        return min(waiting, key=lambda buffer: (self._messages[buffer].frame.priority, buffer))
 
     def candidate(self) -> Frame | None:
         """The frame that it would start now."""
-        best = self._best() if self.takes_part else None
-        return None if best is None else self._messages[best].frame
+        best = self.requests.best(self.queued) if self.takes_part else None
+        return None if best is None else self.requests.message(best).frame
 
     def started(self) -> None:
         """Its candidate has won the bus."""
-        self._active = self._best()
+        self._active = self.requests.best(self.queued)
         self.changed()
 
     def sent(self) -> None:
@@ -569,11 +537,8 @@ class Fdcan(Peripheral):
         if buffer is None:
             return
         self._active = None
-        message = self._messages[buffer]
-        if self._cancelling >> buffer & 1:
-            self._flag_cancelled(buffer)
-        self._forget(buffer)
-        self.occurred |= 1 << buffer
+        message = self.requests.message(buffer)
+        self._end_request(buffer, True)
         if self.values["TXBTIE"] >> buffer & 1:
             self.values["IR"] |= TC
         if not self.pending and not self.queued:
@@ -612,8 +577,9 @@ class Fdcan(Peripheral):
         if not unheard_passive:
             self.tec += 8
             self._log()
-        if buffer is not None and (self.values["CCCR"] & DAR or self._cancelling >> buffer & 1):
-            self._cancel(buffer)
+        once = self.values["CCCR"] & DAR
+        if buffer is not None and (once or self.requests.cancelling >> buffer & 1):
+            self._end_request(buffer, False)
         self._note_limits()
         self.changed()
 
