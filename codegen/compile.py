@@ -38,13 +38,18 @@ class CompileError(Refusal):
 
 
 def compile_library(
-    sources: Sequence[Path], include: Sequence[Path], precision: str = "double"
+    sources: Sequence[Path],
+    include: Sequence[Path],
+    precision: str = "double",
+    defines: Sequence[str] = (),
 ) -> Path:
     """Shared library of some C files for one precision ("double" or "float").
 
-    Raises CompileError with the compiler's words, ValueError for an unknown precision.
+    defines: macros, "NAME=VALUE". Raises CompileError with the compiler's words, ValueError for an
+    unknown precision.
     """
-    return compiled(sources, include, precision, ("-shared", "-fPIC"), ".so")
+    kind = ("-shared", "-fPIC", *(f"-D{each}" for each in defines))
+    return compiled(sources, include, precision, kind, ".so")
 
 
 def compile_program(

@@ -87,10 +87,11 @@ class SocketcanOptions(ctypes.Structure):
 
 
 @cache
-def library() -> ctypes.CDLL:
-    """All ports, compiled."""
+def library(most_data: int = 64) -> ctypes.CDLL:
+    """All ports, compiled with room for so many bytes in a frame."""
     sources = [*sorted(CAN.glob("*.c")), Path(__file__).with_name("can_ports.c")]
-    loaded = ctypes.CDLL(str(compile_library(sources, [CAN])))
+    compiled = compile_library(sources, [CAN], defines=[f"TB_CAN_MOST_DATA={most_data}u"])
+    loaded = ctypes.CDLL(str(compiled))
     loaded.tb_can_result_text.restype = ctypes.c_char_p
     loaded.tb_can_is_frame.restype = ctypes.c_bool
     loaded.slcan_answers.restype = ctypes.c_bool

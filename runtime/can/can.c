@@ -40,7 +40,8 @@ bool tb_can_is_frame(const tb_can_frame *frame)
     if (!fd) {
         return frame->length <= MOST_CLASSIC_DATA;
     }
-    return lengths[tb_can_code_of_length(frame->length)] == frame->length;
+    return (frame->length <= TB_CAN_MOST_DATA) &&
+           (lengths[tb_can_code_of_length(frame->length)] == frame->length);
 }
 
 uint8_t tb_can_length_of_code(uint8_t code)

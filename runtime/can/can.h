@@ -18,12 +18,16 @@
 extern "C" {
 #endif
 
-#define TB_CAN_MOST_DATA 64u /* bytes in a frame; 8 in a classic one */
+/** Bytes in a frame. Classic CAN has 8; define it as 64u, in all of a program, for CAN FD: every frame
+ * is then copied with room for that many. */
+#ifndef TB_CAN_MOST_DATA
+#define TB_CAN_MOST_DATA 8u
+#endif
 
 /* Flags of a frame, to be added up. */
 #define TB_CAN_EXTENDED ((uint8_t)1)        /* 29 bits of identifier, not 11 */
 #define TB_CAN_REMOTE ((uint8_t)2)          /* asks for data, has none */
-#define TB_CAN_FD ((uint8_t)4)              /* CAN FD: up to 64 bytes */
+#define TB_CAN_FD ((uint8_t)4)              /* CAN FD: up to TB_CAN_MOST_DATA bytes */
 #define TB_CAN_BIT_RATE_SWITCH ((uint8_t)8) /* CAN FD: data at the faster bit rate */
 
 /** A CAN frame. */
@@ -138,7 +142,7 @@ static inline void tb_can_count(uint32_t *counter, uint32_t more)
     *counter = (more < UINT32_MAX - *counter) ? (*counter + more) : UINT32_MAX;
 }
 
-/** Whether a frame can exist: identifier, length and flags belong together. */
+/** Whether a frame can exist, and fits: identifier, length and flags belong together. */
 bool tb_can_is_frame(const tb_can_frame *frame);
 
 /** Bytes of data (0..64) that a data length code (0..15; its low four bits) stands for. */

@@ -133,13 +133,16 @@ static bool read_frame(tb_slcan_rest *rest, uint8_t flags, tb_can_frame *frame)
         return false;
     }
     read.length = tb_can_length_of_code(code);
+    if (!tb_can_is_frame(&read)) {
+        return false;
+    }
     for (uint8_t i = 0; i < data_bytes(&read); i++) {
         read.data[i] = (uint8_t)read_number(rest, 2);
     }
     if (rest->next != rest->end) {
         (void)read_number(rest, STAMP_DIGITS);
     }
-    if (!rest->good || (rest->next != rest->end) || !tb_can_is_frame(&read)) {
+    if (!rest->good || (rest->next != rest->end)) {
         return false;
     }
     *frame = read;

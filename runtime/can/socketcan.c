@@ -138,7 +138,7 @@ static tb_can_frame from_kernel(const struct canfd_frame *raw, bool fd)
     frame.flags = (uint8_t)((extended ? TB_CAN_EXTENDED : 0) | (remote ? TB_CAN_REMOTE : 0) |
                             (fd ? TB_CAN_FD : 0) | (fast ? TB_CAN_BIT_RATE_SWITCH : 0));
     frame.length = raw->len;
-    memcpy(frame.data, raw->data, (raw->len <= TB_CAN_MOST_DATA) ? raw->len : 0);
+    memcpy(frame.data, raw->data, raw->len);
     return frame;
 }
 
@@ -148,6 +148,8 @@ static void take_message(tb_socketcan *socketcan, const struct canfd_frame *raw,
         tb_can_count(&socketcan->port.statistics.malformed, 1);
     } else if ((raw->can_id & CAN_ERR_FLAG) != 0) {
         take_error(socketcan, raw);
+    } else if (raw->len > TB_CAN_MOST_DATA) {
+        tb_can_count(&socketcan->port.statistics.malformed, 1);
     } else {
         socketcan->frames[socketcan->end] = from_kernel(raw, size == CANFD_MTU);
         socketcan->end++;
@@ -264,7 +266,7 @@ static tb_can_result find_interface(const tb_socketcan *socketcan, const char *n
     }
     bool const carries_fd =
         ask(socketcan, name, SIOCGIFMTU, &answer) && (answer.ifr_mtu >= (int)CANFD_MTU);
-    if (socketcan->fd && !carries_fd) {
+    if (socketcan->fd && (!carries_fd || (TB_CAN_MOST_DATA < CANFD_MAX_DLEN))) {
         return TB_CAN_REFUSED;
     }
     if (!ask(socketcan, name, SIOCGIFINDEX, &answer)) {

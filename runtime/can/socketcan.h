@@ -33,7 +33,7 @@ typedef struct {
 typedef struct {
     const tb_can_filter *filters; /* frames that pass any of these; none given: all frames */
     uint32_t count;               /* at most TB_SOCKETCAN_MOST_FILTERS */
-    bool fd;                      /* CAN FD frames too */
+    bool fd;                      /* CAN FD frames too: TB_CAN_MOST_DATA must be 64u */
 } tb_socketcan_options;
 
 /** Open the interface called `name`.

@@ -22,12 +22,15 @@ static void require(bool condition)
     }
 }
 
+/* What a port may claim, whether there is room for it or not. */
+#define LONGEST_FRAME 64u
+
 static tb_can_frame read_frame(uint32_t id, const uint8_t *data, size_t size)
 {
     tb_can_frame frame = {.id = id};
-    frame.length = (uint8_t)(data[0] % (TB_CAN_MOST_DATA + 1u));
-    size_t const count = ((size - 1u) < frame.length) ? (size - 1u) : frame.length;
-    memcpy(frame.data, &data[1], count);
+    frame.length = (uint8_t)(data[0] % (LONGEST_FRAME + 1u));
+    size_t const sent = ((size - 1u) < frame.length) ? (size - 1u) : frame.length;
+    memcpy(frame.data, &data[1], (sent < sizeof frame.data) ? sent : sizeof frame.data);
     return frame;
 }
 

@@ -1,5 +1,6 @@
 """The slcan reader takes any characters; a seeded defect is found."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ from fuzzing import ENOUGH, ROOT, SECONDS, Target
 CAN = ROOT / "runtime" / "can"
 READER = CAN / "slcan_text.c"
 SLCAN = Target("slcan", (READER, CAN / "can.c"), (CAN,))
+FOR_CAN_FD = replace(SLCAN, defines=("-DTB_CAN_MOST_DATA=64u",))
 
 DEFECTS = {
     "a line longer than its room": (
@@ -18,7 +20,14 @@ DEFECTS = {
         "    reader->length = 0;\n    reader->skipped = 0;\n    if (is_told) {",
         "    reader->length = is_told ? length : 0;\n    reader->skipped = 0;\n    if (is_told) {",
     ),
-    "an identifier that no frame has": (" || !tb_can_is_frame(&read)", ""),
+    "a frame longer than its room": (
+        "!tb_can_is_frame(&read)",
+        "!tb_can_is_frame(&read) && (read.length <= TB_CAN_MOST_DATA)",
+    ),
+    "an identifier that no frame has": (
+        "!tb_can_is_frame(&read)",
+        "read.length > TB_CAN_MOST_DATA",
+    ),
     "a line feed that is an answer": (
         "return (reader->length == 0) ? TB_SLCAN_NOTHING : end_line(reader, character, frame);",
         "return end_line(reader, character, frame);",
@@ -30,8 +39,9 @@ DEFECTS = {
 }
 
 
-def test_any_characters_into_the_reader_are_taken(tmp_path: Path) -> None:
-    assert SLCAN.build(tmp_path).finding(SECONDS) is None
+@pytest.mark.parametrize("target", [SLCAN, FOR_CAN_FD], ids=["classic", "CAN FD"])
+def test_any_characters_into_the_reader_are_taken(target: Target, tmp_path: Path) -> None:
+    assert target.build(tmp_path).finding(SECONDS) is None
 
 
 @pytest.mark.parametrize("defect", DEFECTS)

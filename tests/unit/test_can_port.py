@@ -38,7 +38,8 @@ def declared() -> Declarations:
     """What the ports declare, from their debug information."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("CC", f"{os.environ.get('CC') or 'gcc'} -g")
-        return declarations(compile_library(NO_OPERATING_SYSTEM, [CAN]))
+        room = ["TB_CAN_MOST_DATA=64u"]
+        return declarations(compile_library(NO_OPERATING_SYSTEM, [CAN], defines=room))
 
 
 def is_frame(frame: Frame) -> bool:
@@ -66,6 +67,13 @@ def test_every_frame_that_python_can_makes_is_a_frame(message: can.Message) -> N
 )
 def test_what_cannot_be_on_a_bus_is_no_frame(frame: Frame) -> None:
     assert not is_frame(frame)
+
+
+def test_a_frame_with_more_data_than_there_is_room_for_is_none() -> None:
+    fits, does_not_fit = Frame(1, FD, 8), Frame(1, FD, 12)
+    assert is_frame(fits) and is_frame(does_not_fit)
+    assert library(8).tb_can_is_frame(ctypes.byref(fits))
+    assert not library(8).tb_can_is_frame(ctypes.byref(does_not_fit))
 
 
 def test_length_codes_are_those_of_the_standard_and_of_python_can() -> None:

@@ -6,7 +6,7 @@ from enum import IntEnum
 
 import can
 import pytest
-from can_ports import Frame, frame_of, library, message_of, same
+from can_ports import FD, Frame, frame_of, library, message_of, same
 from frames import any_frames
 from hypothesis import given
 from hypothesis import strategies as st
@@ -29,16 +29,17 @@ class Item(IntEnum):
 class Reader:
     """tb_slcan_reader, with the memory behind it watched."""
 
-    def __init__(self) -> None:
-        self._size = library().size_of_reader()
+    def __init__(self, most_data: int = 64) -> None:
+        self._library = library(most_data)
+        self._size = self._library.size_of_reader()
         self._memory = (ctypes.c_uint8 * (self._size + 64))(*[0xA5] * (self._size + 64))
-        library().tb_slcan_start(self._memory)
+        self._library.tb_slcan_start(self._memory)
 
     def items(self, characters: bytes) -> Iterator[tuple[Item, can.Message | None]]:
         """What the characters complete, in order."""
         for character in characters:
             frame = Frame()
-            item = Item(library().tb_slcan_read(self._memory, character, ctypes.byref(frame)))
+            item = Item(self._library.tb_slcan_read(self._memory, character, ctypes.byref(frame)))
             if item is not Item.NOTHING:
                 yield item, message_of(frame) if item is Item.FRAME else None
         assert bytes(self._memory[self._size :]) == b"\xa5" * 64
@@ -187,3 +188,15 @@ def test_the_status_is_kept_until_the_next() -> None:
 def test_what_is_no_frame_is_no_line() -> None:
     line = ctypes.create_string_buffer(LONGEST)
     assert library().tb_slcan_write(ctypes.byref(Frame(0x800, 0, 0)), line) == 0
+
+
+@pytest.mark.parametrize("code", "9ABCDEF")
+def test_a_frame_that_does_not_fit_is_malformed_and_the_next_is_read(code: str) -> None:
+    data = library().tb_can_length_of_code(int(code, 16)) * b"5A"
+    reader, classic = Reader(most_data=8), b"t1238" + b"5A" * 8 + b"\r"
+    items = [item for item, _ in reader.items(b"d123" + code.encode() + data + b"\r" + classic)]
+    assert items == [Item.MALFORMED, Item.FRAME]
+    ((item, message),) = reader.items(b"d1238" + b"5A" * 8 + b"\r")
+    assert item is Item.FRAME and message is not None and message.is_fd
+    frame, line = Frame(0x123, FD, 12), ctypes.create_string_buffer(LONGEST)
+    assert library(8).tb_slcan_write(ctypes.byref(frame), line) == 0
