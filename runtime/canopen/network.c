@@ -51,29 +51,29 @@ static void send(tb_bus *bus, const tb_can_frame *frame)
 
 /* ---- Receiving ---- */
 
+/* The set that holds one function of COB identifiers; sets are joined by `|`. */
+#define SET_OF(function) ((uint32_t)1 << ((function) >> TB_COB_NODE_BITS))
+
+static bool is_in(uint32_t set, uint32_t id)
+{
+    return ((set >> (id >> TB_COB_NODE_BITS)) & 1u) != 0;
+}
+
 /* Frames that only a CANopen master sends. */
 static bool is_from_a_master(uint32_t id)
 {
-    static const uint32_t functions[] = {TB_COB_RPDO1, TB_COB_RPDO2, TB_COB_RPDO3, TB_COB_RPDO4,
-                                         TB_COB_SDO_REQUEST};
-    bool found = (id == TB_COB_NMT) || (id == TB_COB_SYNC) || (id == TB_COB_TIME) ||
-                 (id == (TB_COB_ERROR_CONTROL + TB_MASTER_NODE));
-    for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
-        found = found || ((id & TB_COB_FUNCTION_MASK) == functions[i]);
-    }
-    return found;
+    uint32_t const functions = SET_OF(TB_COB_RPDO1) | SET_OF(TB_COB_RPDO2) | SET_OF(TB_COB_RPDO3) |
+                               SET_OF(TB_COB_RPDO4) | SET_OF(TB_COB_SDO_REQUEST);
+    return is_in(functions, id) || (id == TB_COB_NMT) || (id == TB_COB_SYNC) ||
+           (id == TB_COB_TIME) || (id == (TB_COB_ERROR_CONTROL + TB_MASTER_NODE));
 }
 
 static bool is_from_a_drive(uint32_t id)
 {
-    static const uint32_t functions[] = {TB_COB_EMCY,         TB_COB_TPDO1, TB_COB_TPDO2,
-                                         TB_COB_TPDO3,        TB_COB_TPDO4, TB_COB_SDO_ANSWER,
-                                         TB_COB_ERROR_CONTROL};
-    bool found = false;
-    for (size_t i = 0; i < (sizeof functions / sizeof functions[0]); i++) {
-        found = found || ((id & TB_COB_FUNCTION_MASK) == functions[i]);
-    }
-    return found && ((id & TB_COB_NODE_MASK) != 0);
+    uint32_t const functions = SET_OF(TB_COB_EMCY) | SET_OF(TB_COB_TPDO1) | SET_OF(TB_COB_TPDO2) |
+                               SET_OF(TB_COB_TPDO3) | SET_OF(TB_COB_TPDO4) |
+                               SET_OF(TB_COB_SDO_ANSWER) | SET_OF(TB_COB_ERROR_CONTROL);
+    return is_in(functions, id) && ((id & TB_COB_NODE_MASK) != 0);
 }
 
 static tb_drive_link *find_link(tb_network *network, size_t bus, uint32_t node)

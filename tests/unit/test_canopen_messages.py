@@ -91,10 +91,12 @@ def test_a_status_message_is_unpacked(word: int, position: int, torque: int) -> 
     assert (status.statusword, status.position, status.torque) == (word, position, torque)
 
 
-@given(st.binary(max_size=64).filter(lambda data: len(data) != 8))
-def test_a_status_message_of_another_length_changes_nothing(data: bytes) -> None:
+@given(st.binary(min_size=8, max_size=8), st.integers(0, 64).filter(lambda length: length != 8))
+def test_a_status_message_of_another_length_changes_nothing(data: bytes, length: int) -> None:
     status = C.new("tb_pdo_status")
     ctypes.memset(byref(status), 0x5A, ctypes.sizeof(status))
     before = bytes(status)
-    assert not C.tb_pdo_take(byref(status), byref(C.frame(Frame(0x181, data))))
+    frame = C.frame(Frame(0x181, data))
+    frame.length = length
+    assert not C.tb_pdo_take(byref(status), byref(frame))
     assert bytes(status) == before
