@@ -1,10 +1,11 @@
-"""The tokens of a C file that are code: no comments, strings, inclusions or static assertions."""
+"""The tokens of a C file that are code: no comments, inclusions, conditions of the
+preprocessor or static assertions."""
 
 import re
 from typing import NamedTuple
 
 _KINDS = re.compile(
-    r"""(?P<aside>/\*.*?\*/|//[^\n]*|\#\s*include[^\n]*|_Static_assert\b[^;]*;|\s+)
+    r"""(?P<aside>/\*.*?\*/|//[^\n]*|\#\s*(?:include|if|el|endif)[^\n]*|_Static_assert\b[^;]*;|\s+)
       | (?P<text>"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')
       | (?P<directive>\#\s*\w+)
       | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[uUlLfF]*)

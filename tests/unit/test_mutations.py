@@ -3,12 +3,15 @@
 import pytest
 
 from turnbuckle.lab.mutants.draw import sources
-from turnbuckle.lab.mutants.mutation import mutations
+from turnbuckle.lab.mutants.mutation import FUNCTION, mutations
 from turnbuckle.lab.mutants.tokens import tokens_of
 
 SOURCE = """
 #include "x1.h" /* 1 < 2 */
+#if defined(A) && (B == 2)
 #define HALF (TB_C(0.5) * 2)
+#elif C < 3
+#endif
 _Static_assert(sizeof(int) == 4, "a + b");
 // 3 != 4
 static int find(int a, int b)
@@ -67,4 +70,5 @@ def test_the_tokens_of_the_runtime_are_all_that_is_not_aside(file: str) -> None:
     texts = "".join(token.text for token in tokens_of(source))
     assert all(source[token.start : token.end] == token.text for token in tokens_of(source))
     assert "/*" not in texts and "_Static_assert" not in texts and "#include" not in texts
-    assert len(mutations(file, source)) >= source.count("\n") / 2
+    if FUNCTION.search(source):
+        assert len(mutations(file, source)) >= source.count("\n") / 2

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from wheels import OF_THE_REPOSITORY
 
 from turnbuckle.extras import DISTRIBUTIONS, extra_of
 from turnbuckle.places import PACKAGE
@@ -17,7 +18,6 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 LOCK, DEV_LOCK = ((ROOT / f"requirements{which}.lock").read_text() for which in ("", "-dev"))
 PIN = re.compile(r"(?P<name>[a-z0-9-]+)==(?P<version>[0-9][0-9a-z.]*)( ; [^\\]+)? \\")
 HASH = re.compile(r"    --hash=sha256:[0-9a-f]{64}( \\)?")
-OF_THE_REPOSITORY = ("benchmark", "figures", "mutants", "pages", "soak")
 
 
 def pins(lock: str) -> dict[str, str]:
@@ -47,7 +47,8 @@ def wanted(*extras: str) -> set[str]:
 def imported(folder: Path) -> Iterator[tuple[str, str]]:
     """Modules that the package's files import, each with the file; not those of Python or ours."""
     for path in [*folder.glob("*.py"), *folder.glob("*/**/*.py")]:
-        if not set(path.relative_to(folder).parts) & set(OF_THE_REPOSITORY):
+        inside = path.relative_to(folder.parent).parents
+        if not {str(parent) for parent in inside} & OF_THE_REPOSITORY:
             for node in ast.walk(ast.parse(path.read_text())):
                 modules = (
                     [alias.name for alias in node.names] if isinstance(node, ast.Import) else []

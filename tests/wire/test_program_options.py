@@ -12,6 +12,7 @@ from running import BUSES, Lines, running
 
 from turnbuckle.lab.live.program import compile_machine
 from turnbuckle.model.words import LONGEST_IDENTIFIER
+from turnbuckle.version import VERSION
 
 NOBODY = 65534
 
@@ -73,9 +74,11 @@ def test_a_mistake_is_named_with_what_is_allowed(
 def test_version_tells_machine_and_hash(program: Path, stock_folder: Path) -> None:
     done = run(program, "--version")
     banner = (stock_folder / "tb_machine.h").read_text()
-    name, identity, precision = done.stdout.replace(",", "").split()
+    build, precision, version, _ = done.stdout.strip().split(", ")
+    name, identity = build.split()
     assert (done.returncode, name, precision) == (0, "yoon2023", "double")
     assert f'TB_MACHINE_HASH "{identity}"' in banner
+    assert version == f"Turnbuckle {VERSION}"
 
 
 def test_help_names_every_option(program: Path) -> None:
