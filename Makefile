@@ -23,7 +23,7 @@ TEST_SETUP := $(call stamp,test_setup,requirements-dev.lock .ci/packages_of_test
 INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check
 PINNED := --only-binary :all: --require-hashes --requirement
 
-.PHONY: all help setup generate verify build demo deploy rollback test soak campaign fuzz mutants figures bench budgets docs format lint lock clean distclean
+.PHONY: all help setup generate verify build demo deploy rollback flash test soak campaign fuzz mutants figures bench budgets docs format lint lock clean distclean
 .PHONY: lint_python lint_c
 
 all: ## set up, generate and verify the stock machines, build, run the demo (the default)
@@ -104,6 +104,14 @@ deploy rollback: $(SETUP) # with HOST
 
 deploy: ## build MACHINE's program for the computer HOST and bring it there: docs/deploying.md
 rollback: ## switch HOST back to the program before
+
+# IMAGE: what turnbuckle image has written; PROBE: stlink, cmsis-dap, jlink, or a .cfg of OpenOCD.
+TARGET ?= stm32g474
+PROBE ?= stlink
+
+flash: $(SETUP) ## write MACHINE's image IMAGE into the board TARGET by the probe PROBE: docs/flashing.md
+	@$(TURNBUCKLE) flash $(MACHINE) --image=$(or $(IMAGE),$(error make $@ IMAGE=file: IMAGE is missing)) \
+	  --board=$(TARGET) --probe=$(PROBE)
 
 # One more than there are cores: some tests wait, for simulated drives or another process.
 WORKERS ?= $(shell expr $$(nproc) + 1)

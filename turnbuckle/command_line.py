@@ -16,6 +16,7 @@ from turnbuckle.codegen.command_line import generate, verify
 from turnbuckle.codegen.project.command_line import new, runtime
 from turnbuckle.extras import extra_of
 from turnbuckle.lab.analysis.command_line import analyze, compare
+from turnbuckle.lab.boards.command_line import flash, image
 from turnbuckle.lab.command_line import demo
 from turnbuckle.lab.deploy.command_line import deploy, info, rollback
 from turnbuckle.lab.design.command_line import optimise, study
@@ -126,6 +127,8 @@ COMMANDS: tuple[Callable[..., None], ...] = (
     log,
     deploy,
     rollback,
+    image,
+    flash,
     info,
     runtime,
 )

@@ -127,14 +127,21 @@ def info(
     """Say what a program is, of any processor, without running it.
 
     Tells its machine and the hash of that, which turnbuckle generate tells
-    too, its precision, version and processor, and the sha256 of the file.
+    too, its precision, version and processor, and the sha256 of the file. Of
+    an image for a board, also the board, what its C was compiled with, its
+    length, and the CRC that the board checks; a damaged one is refused.
 
     \b
     Example:
       turnbuckle info build/yoon2023/turnbuckle
     """
+    from turnbuckle.lab.boards.record import is_image, read_image
     from turnbuckle.lab.deploy.identity import carried_identity
 
-    identity = carried_identity(program)
-    rows = {**vars(identity), "sha256": hashlib.sha256(program.read_bytes()).hexdigest()}
+    if is_image(program):
+        record, _ = read_image(program)
+        rows = {**vars(record.identity), **record.rows()}
+    else:
+        rows = {**vars(carried_identity(program))}
+    rows["sha256"] = hashlib.sha256(program.read_bytes()).hexdigest()
     typer.echo("\n".join(f"{key:<11}{value}" for key, value in rows.items()))

@@ -29,6 +29,8 @@ COMMANDS: Sequence[tuple[int, str]] = (
     (0, "replay flight.dump"),
     (2, "deploy yoon2023 ssh://nobody@127.0.0.1:1"),  # nobody is there
     (2, "rollback yoon2023 ssh://nobody@127.0.0.1:1"),
+    (2, "image yoon2023 --program no_such_file.elf"),
+    (2, "flash yoon2023 --image no_such_file.elf"),
     (2, "info flight.dump"),
     (3, "optimise brau_triangle --search local --vary tension.max=9N..10N"),
     (0, "study brau_triangle --vary tension.max=9N..10N:2 --out study"),

@@ -186,13 +186,15 @@ class Chip:
         self.forgetting(address & ~3, 4)()
 
     def bus_read(self, address: int, size: int = 4) -> int:
-        """What a debugger reads; ChipFault as for the firmware."""
+        """What a debugger reads; ChipFault as for the firmware, and for a flash that is locked."""
+        self._refuse_locked(address)
         if peripheral := self._peripheral(address):
             return peripheral.read(address, size)[0] & (1 << 8 * size) - 1
         return self.processor.read(address, size)
 
     def bus_write(self, address: int, value: int, size: int = 4) -> None:
-        """What a debugger writes; ChipFault as for the firmware."""
+        """What a debugger writes; ChipFault as for the firmware, and for a flash that is locked."""
+        self._refuse_locked(address)
         if flash_memory.BASE <= address < flash_memory.BASE + flash_memory.SIZE:
             self.flash_controller.program(address, size, value)
         elif peripheral := self._peripheral(address):
@@ -200,6 +202,11 @@ class Chip:
             self._settle()
         else:
             self.processor.write(address, size, value)
+
+    def _refuse_locked(self, address: int) -> None:
+        in_flash = flash_memory.BASE <= address < flash_memory.BASE + flash_memory.SIZE
+        if in_flash and self.flash_controller.read_protection != flash_memory.OPEN:
+            raise ChipFault(address, "flash", "read protection keeps debuggers out")
 
     # -- for peripherals ----------------------------------------------------------------------
 
@@ -416,6 +423,12 @@ class Chip:
 
     def _except(self, trouble: Trouble) -> None:
         """An exception of the processor: raised, or taken by the firmware unless it is in one."""
+        if trouble.breakpoint and self.system.is_debugged:
+            self.system.note_breakpoint()
+            return
+        if trouble.returning and self.exception:
+            text = "return from an exception: not part of this model"
+            raise ChipFault(trouble.place, "processor", text)
         self.exceptions.append((self.time, f"{trouble.text} at {trouble.place:#010x}"))
         if self.faults != "take" or not trouble.exception:
             raise ChipFault(trouble.place, "processor", trouble.text)

@@ -30,6 +30,7 @@ class Trace(Peripheral):
         **row("COMP", Register(0x020), 4, 16),
         **row("MASK", Register(0x024), 4, 16),
         **row("FUNCTION", Register(0x028), 4, 16),
+        "DEVARCH": Register(0xFBC, access=Access.READ),
     }
 
     def __init__(self, chip: Chip, counter: int) -> None:

@@ -29,6 +29,8 @@ EOP, PROGERR, WRPERR, PGAERR, SIZERR, PGSERR, BSY = 1, 8, 16, 32, 64, 128, 1 << 
 ERRORS = 0xC3FA
 #: FLASH_OPTR: two banks of pages of 2 KiB, watchdog started by software.
 DUAL, WATCHDOG_BY_SOFTWARE = 1 << 22, 1 << 16
+#: Read protection in FLASH_OPTR: none, and for good; any other number is level 1.
+OPEN, SEALED = 0xAA, 0xCC
 
 
 class FlashController(Peripheral):
@@ -58,6 +60,8 @@ class FlashController(Peripheral):
     def __init__(self, chip: Chip, memory: memoryview, watchdog_by_hardware: bool) -> None:
         self.memory = memory
         self.watchdog_by_hardware = watchdog_by_hardware
+        #: As programmed: works from the next reset on.
+        self.read_protection = OPEN
         self._keys: list[int] = []
         self._locked_for_good = False
         self._first: tuple[int, int] | None = None
@@ -73,6 +77,12 @@ class FlashController(Peripheral):
         super().reset()
         if self.watchdog_by_hardware:
             self.values["OPTR"] &= ~WATCHDOG_BY_SOFTWARE
+        self.values["OPTR"] = self.values["OPTR"] & ~0xFF | self.read_protection
+
+    @property
+    def working_on(self) -> tuple[int, int] | None:
+        """Begin and size of what is being erased or written."""
+        return self._touched
 
     def _interrupt(self) -> None:
         """Power or clock end while the memory is busy: what it was working on is anything."""

@@ -44,12 +44,18 @@ REGISTERS = {
     "xpsr": arm.UC_ARM_REG_XPSR,
     "msp": arm.UC_ARM_REG_MSP,
     "psp": arm.UC_ARM_REG_PSP,
+    "primask": arm.UC_ARM_REG_PRIMASK,
+    "basepri": arm.UC_ARM_REG_BASEPRI,
+    "faultmask": arm.UC_ARM_REG_FAULTMASK,
+    "control": arm.UC_ARM_REG_CONTROL,
+    "fpscr": arm.UC_ARM_REG_FPSCR,
+    **{f"s{number}": arm.UC_ARM_REG_S0 + number for number in range(32)},
 }
 THUMB, RETURN = 1 << 24, 0xFFFFFFF9
 #: Numbers of exceptions.
 HARD, MEMORY, BUS, USAGE = 3, 4, 5, 6
 #: CFSR.
-DENIED_DATA, MEMORY_VALID = 1 << 1, 1 << 7
+DENIED_FETCH, DENIED_DATA, MEMORY_VALID = 1, 1 << 1, 1 << 7
 FETCH_ERROR, DATA_ERROR, BUS_VALID = 1 << 8, 1 << 9, 1 << 15
 UNDEFINED, STATE, NO_FPU, UNALIGNED_USE, BY_ZERO = 1 << 16, 1 << 17, 1 << 19, 1 << 24, 1 << 25
 #: Numbers of Unicorn's exceptions.
@@ -69,6 +75,10 @@ class Trouble:
     status: int = 0
     #: Address of the data, where CFSR says that it is known.
     address: int = 0
+    #: A BKPT instruction, at which a debugger halts the processor.
+    breakpoint: bool = False
+    #: At an address that in an exception means the return from it.
+    returning: bool = False
 
 
 REFUSALS = {
@@ -220,9 +230,10 @@ class Processor:
         if number == SUPERVISOR_CALL:
             self._trouble = Trouble(place, "SVC, which this model does not take")
         elif number == BREAKPOINT:
-            self._trouble = Trouble(place, "breakpoint without a debugger", HARD)
+            self._trouble = Trouble(place, "breakpoint without a debugger", HARD, breakpoint=True)
         elif place >= 0xF0000000:
-            self._trouble = Trouble(place, "return from an exception: not part of this model")
+            text = "execution where no instructions may be"
+            self._trouble = Trouble(place, text, MEMORY, DENIED_FETCH, returning=True)
         else:
             self._trouble = Trouble(place, "state without Thumb", USAGE, STATE)
         emulator.emu_stop()

@@ -25,7 +25,16 @@ CORE_REGISTERS = {
     16: "xpsr",
     17: "msp",
     18: "psp",
+    33: "fpscr",
+    **{64 + number: f"s{number}" for number in range(32)},
 }
+#: Number of four registers of a byte each, and which those are from the lowest.
+MASKS, MASK_REGISTERS = 20, ("primask", "basepri", "faultmask", "control")
+#: DHCSR.
+DEBUGGED, HALT, STEP, STAY_MASKED = 1, 2, 4, 8
+READY, HALTED, LOCKED_UP, RETIRED, WAS_RESET = 1 << 16, 1 << 17, 1 << 19, 1 << 24, 1 << 25
+#: DFSR.
+BREAKPOINT = 2
 
 
 class SystemControl(Peripheral):
@@ -82,6 +91,7 @@ class SystemControl(Peripheral):
         self._wrap: Event | None = None
         self._flagged = False
         self._debugger = {"DHCSR": 0, "DEMCR": 0}
+        self._was_reset = True
         self._regions: dict[int, tuple[int, int]] = {}
         super().__init__(chip, "SCS", 0xE000E000, None)
 
@@ -93,6 +103,7 @@ class SystemControl(Peripheral):
         """What a debugger has set stays until the power goes."""
         super().reset()
         self.values |= self._debugger
+        self._was_reset = True
         self._regions = {}
         self._pace.deny([])
         state = self._pace.state
@@ -306,13 +317,32 @@ class SystemControl(Peripheral):
     def read_ICSR(self) -> int:
         return self.chip.exception
 
+    @property
+    def is_debugged(self) -> bool:
+        """A debugger is there, which BKPT instructions halt for."""
+        return bool(self._debugger["DHCSR"] & DEBUGGED)
+
+    def note_breakpoint(self) -> None:
+        """The processor has come to a BKPT instruction."""
+        self.chip.halted = True
+        self._debugger["DHCSR"] |= HALT
+        self.values["DHCSR"] |= HALT
+        self.values["DFSR"] |= BREAKPOINT
+        self.changed()
+
     def read_DHCSR(self) -> int:
-        return self.values["DHCSR"] & 0xF | self.chip.halted << 17 | 1 << 16
+        value = self.values["DHCSR"] & 0xF | READY | (HALTED if self.chip.halted else RETIRED)
+        value |= LOCKED_UP if self.chip.locked_up else 0
+        value |= WAS_RESET if self._was_reset else 0
+        self._was_reset = False
+        return value
 
     def write_DHCSR(self, value: int) -> None:
         """For a debugger only: the processor itself cannot halt."""
         if value >> 16 != 0xA05F:
             raise self.refuse("DHCSR", "written without the key 0xA05F")
+        if value & DEBUGGED and value & STEP and not value & HALT:
+            raise self.refuse("DHCSR", "single steps are not part of this model")
         self.values["DHCSR"] = self._debugger["DHCSR"] = value & 0xF
         self.chip.halted = value & 3 == 3
 
@@ -322,6 +352,9 @@ class SystemControl(Peripheral):
     def write_DCRSR(self, value: int) -> None:
         if not self.chip.halted:
             raise self.refuse("DCRSR", "used while the processor is not halted")
+        if value & 0x7F == MASKS:
+            self._transfer_masks(bool(value >> 16 & 1))
+            return
         name = CORE_REGISTERS.get(value & 0x7F)
         if name is None:
             raise self.refuse("DCRSR", f"register {value & 0x7F} is not part of this model")
@@ -331,3 +364,14 @@ class SystemControl(Peripheral):
             self.values["DCRDR"] = self.chip.processor.place & ~1
         else:
             self.values["DCRDR"] = self.chip.processor.register(name)
+
+    def _transfer_masks(self, written: bool) -> None:
+        processor = self.chip.processor
+        if written:
+            for name, value in zip(
+                MASK_REGISTERS, self.values["DCRDR"].to_bytes(4, "little"), strict=True
+            ):
+                processor.set_register(name, value)
+        else:
+            masks = bytes(processor.register(name) & 0xFF for name in MASK_REGISTERS)
+            self.values["DCRDR"] = int.from_bytes(masks, "little")
