@@ -57,6 +57,8 @@ class Accuracy:
     """Worst cases of a routine: by output, then by precision."""
 
     results: dict[str, dict[str, WorstCase]] = field(default_factory=dict)
+    key: str = ""
+    """Names the measurement: the same method, machine and operations have the same key."""
 
 
 def measure(machine: Machine, routine: Item, seed: int = 1) -> Accuracy:

@@ -102,7 +102,7 @@ def write_changed(
     from turnbuckle.codegen.generate import MANIFEST, generate, write
 
     refuse_foreign(folder, MANIFEST, [machine.name], force)  # before the long work
-    files = generate(machine, prefix)
+    files = generate(machine, prefix, folder)
     changed = any(content_of(folder / name) != text.encode() for name, text in files.items())
     if changed:
         write(files, folder, force)

@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 
 from turnbuckle.codegen.accuracy import Accuracy
-from turnbuckle.codegen.accuracy_cache import measured_accuracy
+from turnbuckle.codegen.accuracy_cache import ACCURACY, as_json, measured_accuracy
 from turnbuckle.codegen.bus.dbc import dbc_files
 from turnbuckle.codegen.bus.drives import drive_fields
 from turnbuckle.codegen.chain import Chain
@@ -78,6 +78,7 @@ def render(model: Model, accuracies: dict[str, Accuracy], prefix: str = PLAIN) -
     )
     if prefix != PLAIN:
         files = prefixed(files | runtime_files(machine, common["banner"]), prefix)
+    files[ACCURACY] = as_json(accuracies)
     files[MANIFEST] = manifest(model, identity, files, prefix)
     return files
 
@@ -165,10 +166,13 @@ def port(entry: Input | Output) -> dict[str, Any]:
     return {"name": entry.name, "shape": list(entry.shape), "unit": entry.unit}
 
 
-def generate(machine: Machine, prefix: str = PLAIN) -> dict[str, str]:
-    """Contents of every generated file of a machine, by name; PrefixError as render."""
+def generate(machine: Machine, prefix: str = PLAIN, before: Path | None = None) -> dict[str, str]:
+    """Contents of every generated file of a machine, by name; PrefixError as render.
+
+    before: a folder with C of the machine, whose measured accuracies hold where nothing changed.
+    """
     model = build_model(machine)
-    return render(model, measured_accuracy(model.machine, model.items()), prefix)
+    return render(model, measured_accuracy(model.machine, model.items(), before), prefix)
 
 
 def write(files: dict[str, str], folder: Path, force: bool = False) -> None:

@@ -16,7 +16,7 @@ extern "C" {
  *  tension [N] (5)  ->  torque [N m] (5)
  *  Domain: tension with a sum of magnitudes of at most 50000 N, else TB_OUT_OF_DOMAIN.
  *  Error of torque: double at most 1.4e-17 N m (worst found 3.5e-18 at tension (0.1186, 6.667,
- *    5.969, 6.523, 8.625)); float at most 1.2e-08 N m (worst found 3.0e-09 at tension (7.434,
+ *    5.968, 6.523, 8.625)); float at most 1.2e-08 N m (worst found 3.0e-09 at tension (7.434,
  *    2.906, 7.815, 10, 0.6982)).
  *  Cost, all branches: 5 mul. */
 tb_status tb_motor_torques(const real_t tension[5], real_t torque[5]);

@@ -73,7 +73,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[1], real_t ma
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
- *  Error of force: double at most 3.5e-14 N (worst found 8.7e-15 at pose (0.07466, 0.2581));
+ *  Error of force: double at most 3.5e-14 N (worst found 8.7e-15 at pose (0.07465, 0.2581));
  *    float at most 1.1e-04 N (worst found 2.7e-05 at pose (0.4994, 0.8636)).
  *  Cost, all branches: 58 add, 73 mul, 9 div, 5 sqrt, 24 compare, 52 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[1], real_t force[1]);

@@ -49,7 +49,7 @@ tb_status tb_tension_factor(const real_t pose[2], const real_t rails[6], real_t 
  *  TB_SINGULAR: the platform is nearer than 0.1 mm to a pulley.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
  *  Error of force: double at most 3.9e-13 N (worst found 9.8e-14 at pose (0.326, 0.698), rails
- *    (0.3227, 0.01171, 0.06108, 0.04576, 0.7118, 0.02663)); float at most 4.3e-03 N (worst
+ *    (0.3227, 0.01171, 0.06108, 0.04577, 0.7118, 0.02663)); float at most 4.3e-03 N (worst
  *    found 1.1e-03 at pose (0.7116, 0.4278), rails (0.7114, 0, 0.009174, 0.003051, 0.4276,
  *    2.191e-05)).
  *  Cost, all branches: 27 add, 29 mul, 3 div, 3 sqrt, 4 compare, 3 select. */

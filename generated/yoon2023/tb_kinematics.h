@@ -91,7 +91,7 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[4],
  *    0.00682)).
  *  Error of residual: double at most 1.2e-12 m (worst found 3.0e-13 at lengths (0.6471, 0.3635,
  *    0.2061, 0.7389), rails (0, 0.4309, 0.6618, 0.03311)); float at most 6.5e-05 m (worst found
- *    1.6e-05 at lengths (0.3576, 0.5775, 0.6271, 0.2921), rails (0.01173, 0.3927, 0.7118,
+ *    1.6e-05 at lengths (0.3575, 0.5775, 0.6271, 0.2921), rails (0.01173, 0.3927, 0.7118,
  *    0.04809)).
  *  Cost, all branches: 96 add, 92 mul, 8 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[4], real_t pose[2],

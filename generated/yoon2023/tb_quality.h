@@ -74,7 +74,7 @@ tb_status tb_isotropic_force(const real_t pose[2], const real_t rails[4], real_t
  *    0.008881), rails (0.7118, 0.008615, 0.6855, 0.003297)).
  *  Error of force: double at most 1.9e-14 N (worst found 4.7e-15 at pose (0.1262, 0.3798),
  *    rails (0.2244, 0.2827, 0.2232, 0.4534)); float at most 1.4e-03 N (worst found 3.5e-04 at
- *    pose (0.7116, 0.008881), rails (0.7115, 0.008615, 0.6877, 0.003297)).
+ *    pose (0.7116, 0.008881), rails (0.7115, 0.008615, 0.6876, 0.003297)).
  *  Cost, all branches: 197 add, 259 mul, 23 div, 6 sqrt, 65 compare, 202 select. */
 tb_status tb_pose_quality(const real_t pose[2], const real_t rails[4], real_t margin[1],
     real_t factor[1], real_t force[1]);

@@ -63,7 +63,7 @@ tb_status tb_length_jacobian(const real_t pose[2], const real_t rails[1], real_t
  *  TB_SINGULAR: the cables are parallel.
  *  Error of velocity: double at most 3.5e-15 m/s (worst found 8.7e-16 at pose (0.3707, 0.2498),
  *    length_rates (-0.5268, -0.9826, 0.9889, 0.9045)); float at most 3.6e-04 m/s (worst found
- *    8.9e-05 at pose (0.506, 0.0001036), length_rates (0.3067, -0.6861, -0.9997, 0.7742)).
+ *    8.9e-05 at pose (0.506, 0.0001036), length_rates (0.3067, -0.6861, -0.9998, 0.7742)).
  *  Cost, all branches: 25 add, 39 mul, 6 div, 4 sqrt, 6 compare, 1 select. */
 tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
     const real_t length_rates[4], const real_t rail_rates[1], real_t velocity[2]);

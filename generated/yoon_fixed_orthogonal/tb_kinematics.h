@@ -78,8 +78,8 @@ tb_status tb_task_velocity(const real_t pose[2], const real_t rails[1],
  *    0.3444, 0.5144)); float at most 1.6e-05 m (worst found 3.9e-06 at lengths (0.309, 0.5223,
  *    0.3091, 0.1296)).
  *  Error of residual: double at most 3.5e-15 m (worst found 8.7e-16 at lengths (0.3435,
- *    0.09333, 0.344, 0.5127)); float at most 5.4e-06 m (worst found 1.3e-06 at lengths (0.3129,
- *    0.5175, 0.3125, 0.115)).
+ *    0.09333, 0.3439, 0.5127)); float at most 5.4e-06 m (worst found 1.3e-06 at lengths
+ *    (0.3129, 0.5175, 0.3125, 0.115)).
  *  Cost, all branches: 60 add, 65 mul, 6 div, 9 sqrt, 10 compare, 1 select. */
 tb_status tb_forward_kinematics(const real_t lengths[4], const real_t rails[1], real_t pose[2],
     real_t residual[1]);

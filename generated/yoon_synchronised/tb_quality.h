@@ -88,7 +88,7 @@ tb_status tb_pose_quality(const real_t pose[2], const real_t rails[2], real_t ma
  *  TB_SINGULAR: the cables are parallel.
  *  TB_INFEASIBLE: the pose is outside the wrench-feasible workspace for zero wrench.
  *  Error of force: double at most 3.9e-14 N (worst found 9.8e-15 at pose (0.4109, 0.2295),
- *    rails (0.3267, 0.3773)); float at most 6.6e-05 N (worst found 1.6e-05 at pose (0.7083,
+ *    rails (0.3267, 0.3773)); float at most 6.6e-05 N (worst found 1.6e-05 at pose (0.7084,
  *    0.3757), rails (0.7118, 0.3683)).
  *  Cost, all branches: 132 add, 176 mul, 17 div, 6 sqrt, 47 compare, 123 select. */
 tb_status tb_isotropic_force_eq17(const real_t pose[2], const real_t rails[2], real_t force[1]);

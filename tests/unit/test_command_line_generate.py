@@ -39,7 +39,7 @@ def run(
     """Generation takes no time in these tests; they run in an empty folder."""
     known = {"tb": files, "left": left}
     monkeypatch.setattr(
-        turnbuckle.codegen.generate, "generate", lambda machine, prefix: known[prefix]
+        turnbuckle.codegen.generate, "generate", lambda machine, prefix, before: known[prefix]
     )
     monkeypatch.chdir(tmp_path)
     return tmp_path
