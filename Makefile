@@ -20,7 +20,8 @@ TEST_FOLDERS := $(wildcard $(addprefix tests/,unit property equivalence wire clo
 stamp = $(VENV)/$(1)-$(shell cat $(2) | sha256sum | cut -c 1-16)
 SETUP := $(call stamp,setup,requirements.lock pyproject.toml .ci/packages)
 TEST_SETUP := $(call stamp,test_setup,requirements-dev.lock .ci/packages_of_tests)
-INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check
+# Without compiling what is never imported; Python compiles the rest at its first use.
+INSTALL := $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --no-compile
 PINNED := --only-binary :all: --require-hashes --requirement
 
 .PHONY: all help setup generate verify build demo deploy rollback flash test soak campaign fuzz mutants figures bench budgets docs format lint lock clean distclean
@@ -55,8 +56,9 @@ generate: $(SETUP) ## write the C of every machine in machines/ to generated/
 	@printf '%s\n' $(basename $(notdir $(MACHINES))) | xargs -P 2 -I NAME \
 	  $(TURNBUCKLE) generate machines/NAME.toml --out generated/NAME
 
-verify: $(SETUP) ## check the C of every machine against the independent reference; POINTS=100000: at so many
-	@printf '%s\n' $(MACHINES) | xargs -P 2 -n 1 $(TURNBUCKLE) verify $(POINTS:%=--points %)
+verify: $(SETUP) ## check generated/ against the independent reference, function by function; POINTS=100000: at so many
+	@printf '%s\n' $(basename $(notdir $(MACHINES))) | xargs -P 2 -I NAME \
+	  $(TURNBUCKLE) verify machines/NAME.toml --in generated/NAME $(POINTS:%=--points %)
 
 # One library a machine and target; each is compiled again when any of its sources changed.
 TARGETS := double float cortex-m4f
@@ -90,10 +92,9 @@ build/%/libturnbuckle.a: $$(wildcard generated/$$(*D)/*.[ch]) $$(call runtime_of
 	done
 	@ar rcs $@ $(@D)/*.o
 
-build/%/turnbuckle: $$(wildcard generated/$$*/*.[ch] runtime/*/*.[ch] runtime/port/linux/*.[ch]) Makefile
+build/%/turnbuckle: build/%/double/libturnbuckle.a $(ON_LINUX) $(wildcard runtime/port/linux/*.[ch])
 	@echo "build $*/turnbuckle"
-	@mkdir -p $(@D)
-	@$(CC_double) -Igenerated/$* $(INCLUDES) -Iruntime/port/linux $(filter %.c,$^) -o $@
+	@$(CC_double) -Igenerated/$* $(INCLUDES) -Iruntime/port/linux $(filter %.c,$^) $< -o $@
 
 demo: $(SETUP) ## run the controller of MACHINE on the virtual bench
 	@$(TURNBUCKLE) demo $(MACHINE)

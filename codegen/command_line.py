@@ -144,6 +144,15 @@ def verify(
             metavar="N", min=1, help="Points tried for each function.", show_default=False
         ),
     ] = None,
+    folder: Annotated[
+        Path | None,
+        typer.Option(
+            "--in",
+            metavar="DIR",
+            help="The folder with the C.  [default: the C is generated again, and left nowhere]",
+            show_default=False,
+        ),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the report as JSON.")] = False,
 ) -> None:
     """Compare the C with the independent reference.
@@ -158,13 +167,13 @@ def verify(
     from turnbuckle.model.reading import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
-    report = judged(file, points)
+    report = judged(file, points, folder)
     show_report(report, as_json)
     if not report.passed:
         fail(f"{file}: the generated C is not what the reference computes", FAILED_CHECK)
 
 
-def judged(file: Path, points: int | None) -> Report:
+def judged(file: Path, points: int | None, folder: Path | None) -> Report:
     """Every generated function against the reference."""
     from turnbuckle.codegen.verify import POINTS, verify
 
@@ -173,6 +182,7 @@ def judged(file: Path, points: int | None) -> Report:
             file,
             points or POINTS,
             progress=lambda function, done, total: tell(f"verifying {function}", done / total),
+            folder=folder,
         )
 
 

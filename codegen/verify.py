@@ -6,6 +6,7 @@ reference gets the very numbers the C got, in long double; codegen.judges says w
 and how nearly.
 """
 
+import json
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -19,11 +20,14 @@ from numpy.typing import NDArray
 from turnbuckle.codegen.accuracy import Accuracy
 from turnbuckle.codegen.accuracy_cache import measured_accuracy
 from turnbuckle.codegen.bind import REALS, Generated, GeneratedFunction, folder_of
-from turnbuckle.codegen.generate import render
+from turnbuckle.codegen.folder import FolderError
+from turnbuckle.codegen.generate import MANIFEST, render
 from turnbuckle.codegen.hard_cases import HardSampler
+from turnbuckle.codegen.identity import machine_hash
 from turnbuckle.codegen.judges import JUDGES
 from turnbuckle.codegen.judges.problem import Bools, Expected, Problem
 from turnbuckle.codegen.model import Model, build_model
+from turnbuckle.codegen.prefix import PLAIN
 from turnbuckle.codegen.processes import forked_workers
 from turnbuckle.codegen.samples import Sampler
 from turnbuckle.model.machine import Machine
@@ -124,17 +128,43 @@ def verify(
     points: int = POINTS,
     seed: int = 1,
     progress: Progress | None = None,
+    folder: Path | None = None,
 ) -> Report:
-    """Generate, compile and judge the C of a machine file.
+    """Compile and judge the C of a machine file: that in the folder, or else generate it first.
 
     points: of each kind, every function, each precision. progress(function, done, total) is called
-    before every function. Raises MachineError for a bad file, CompileError without a C compiler.
+    before every function. Raises MachineError for a bad file, FolderError for a folder with other
+    C than the file's, CompileError without a C compiler.
     """
     machine = load_machine(machine_path)
     model = build_model(machine)
-    accuracies = measured_accuracy(machine, model.items())
-    folder = folder_of(machine, render(model, accuracies))
+    if folder:
+        refuse_other_c(folder, model)
+    accuracies = measured_accuracy(machine, model.items(), folder)
+    folder = folder or folder_of(machine, render(model, accuracies))
     return verify_folder(folder, model, accuracies, points, seed, progress)
+
+
+def refuse_other_c(folder: Path, model: Model) -> None:
+    """FolderError where the C in a folder is not what the machine file means today."""
+    again = f"run: turnbuckle generate {model.machine.path} --out {folder}"
+    try:
+        content = dict(json.loads((folder / MANIFEST).read_text()))
+        found, prefix = str(content["hash"]), str(content["prefix"])
+    except FileNotFoundError:
+        raise FolderError(f"{folder}: holds no {MANIFEST}; {again}") from None
+    except (OSError, ValueError, KeyError, TypeError):
+        raise FolderError(f"{folder / MANIFEST}: is not of generated C; {again}") from None
+    wanted = machine_hash(model)
+    if found != wanted:
+        raise FolderError(
+            f"{folder}: holds C of machine hash {found}, {model.machine.path} has {wanted}; {again}"
+        )
+    if prefix != PLAIN:
+        raise FolderError(
+            f"{folder}: every name begins with {prefix}, not with {PLAIN}; verify the C without"
+            " a prefix, which is the same"
+        )
 
 
 def verify_folder(
