@@ -138,12 +138,20 @@ def pointer(array: NDArray[Any]) -> ctypes.c_void_p:
 class Generated:
     """All functions of one machine: `c.cable_lengths(pose, rails)` and so on."""
 
-    def __init__(self, machine: Machine, folder: Path, precision: str) -> None:
+    def __init__(
+        self, machine: Machine, folder: Path, precision: str, archive: Path | None = None
+    ) -> None:
+        """Compile the C in a folder, or link what was compiled of it into a static library."""
         self.machine, self.folder, self.precision = machine, folder, precision
         content = json.loads((folder / MANIFEST).read_text())
         self.hash: str = content["hash"]
         self.library = compile_library(
-            [*sorted(folder.glob("*.c")), batch_source(folder, content)], [folder], precision
+            [
+                batch_source(folder, content),
+                *([archive] if archive else sorted(folder.glob("*.c"))),
+            ],
+            [folder],
+            precision,
         )
         loaded = ctypes.CDLL(str(self.library))
         self.functions = {

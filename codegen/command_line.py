@@ -53,8 +53,9 @@ def generate(
 ) -> None:
     """Write the C of a machine.
 
-    Files are left alone when nothing changed. The first time, measuring the
-    accuracy of every function takes a while; the measurements are kept.
+    Files are left alone when nothing changed. Measuring
+    the accuracy of a function takes a while, the first time; it is kept in
+    accuracy.json beside the C.
 
     Warns where the cables cannot give the wanted force (and moment) in all of
     the target, judged on a coarse grid; with --strict that is a failure, with
@@ -153,6 +154,15 @@ def verify(
             show_default=False,
         ),
     ] = None,
+    built: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Judge what `make build` made of that C: DIR holds double/libturnbuckle.a and"
+            " float/libturnbuckle.a.",
+            show_default=False,
+        ),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the report as JSON.")] = False,
 ) -> None:
     """Compare the C with the independent reference.
@@ -167,13 +177,15 @@ def verify(
     from turnbuckle.model.reading import load_machine
 
     load_machine(file)  # a mistake is told before the slow imports
-    report = judged(file, points, folder)
+    if built and not folder:
+        fail("--built: needs --in, the folder of the C that was built")
+    report = judged(file, points, folder, built)
     show_report(report, as_json)
     if not report.passed:
         fail(f"{file}: the generated C is not what the reference computes", FAILED_CHECK)
 
 
-def judged(file: Path, points: int | None, folder: Path | None) -> Report:
+def judged(file: Path, points: int | None, folder: Path | None, built: Path | None) -> Report:
     """Every generated function against the reference."""
     from turnbuckle.codegen.verify import POINTS, verify
 
@@ -183,6 +195,7 @@ def judged(file: Path, points: int | None, folder: Path | None) -> Report:
             points or POINTS,
             progress=lambda function, done, total: tell(f"verifying {function}", done / total),
             folder=folder,
+            built=built,
         )
 
 

@@ -38,6 +38,8 @@ from turnbuckle.model.symbolic.function import Input, ModelFunction, Status
 
 Progress = Callable[[str, int, int], None]
 
+#: The static library of a precision, in a folder of what was built.
+ARCHIVE = "{}/libturnbuckle.a"
 #: Points of each kind that every function is tried at, unless told otherwise.
 POINTS = 1000
 #: Points of each kind that are judged together; more are judged in blocks, on all cores.
@@ -129,8 +131,12 @@ def verify(
     seed: int = 1,
     progress: Progress | None = None,
     folder: Path | None = None,
+    built: Path | None = None,
 ) -> Report:
     """Compile and judge the C of a machine file: that in the folder, or else generate it first.
+
+    built: a folder of static libraries of that C, which are judged as they are: ARCHIVE of each
+    precision.
 
     points: of each kind, every function, each precision. progress(function, done, total) is called
     before every function. Raises MachineError for a bad file, FolderError for a folder with other
@@ -142,7 +148,7 @@ def verify(
         refuse_other_c(folder, model)
     accuracies = measured_accuracy(machine, model.items(), folder)
     folder = folder or folder_of(machine, render(model, accuracies))
-    return verify_folder(folder, model, accuracies, points, seed, progress)
+    return verify_folder(folder, model, accuracies, points, seed, progress, built)
 
 
 def refuse_other_c(folder: Path, model: Model) -> None:
@@ -174,12 +180,18 @@ def verify_folder(
     points: int = POINTS,
     seed: int = 1,
     progress: Progress | None = None,
+    built: Path | None = None,
 ) -> Report:
-    """Compile and judge the C in a folder."""
+    """Compile and judge the C in a folder, or what was built of it."""
+
+    def library(precision: str) -> Generated:
+        archive = built / ARCHIVE.format(precision) if built else None
+        if archive and not archive.is_file():
+            raise FolderError(f"{archive}: is missing; run: make build")
+        return Generated(model.machine, folder, precision, archive)
+
     with ThreadPoolExecutor() as compiling:
-        libraries = list(
-            compiling.map(lambda precision: Generated(model.machine, folder, precision), REALS)
-        )
+        libraries = list(compiling.map(library, REALS))
     bench = Bench(libraries, model, accuracies)
     parts = blocks(points, seed)
     tell = progress or (lambda *_: None)

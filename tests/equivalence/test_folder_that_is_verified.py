@@ -2,10 +2,12 @@
 
 import json
 import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
 
+from turnbuckle.codegen.compile import FLAGS, PRECISIONS
 from turnbuckle.codegen.folder import FolderError
 from turnbuckle.codegen.generate import MANIFEST
 from turnbuckle.codegen.verify import verify
@@ -30,6 +32,33 @@ def test_the_committed_c_agrees_and_a_wrong_sign_in_it_is_found(folder: Path) ->
     source.write_text(wrong)
     failures = verify(MACHINE, POINTS, folder=folder).failures()
     assert {row.function for row in failures} >= {"cable_lengths"}
+
+
+def build(folder: Path, place: Path) -> None:
+    """The C of a folder as static libraries, as `make build` has them."""
+    for precision, options in PRECISIONS.items():
+        there = place / precision
+        there.mkdir(parents=True)
+        sources = sorted(folder.glob("*.c"))
+        flags = ["-O0", "-fPIC", *FLAGS[:1], *FLAGS[2:], *options]
+        subprocess.run(["gcc", *flags, "-c", *sources], cwd=there, check=True)
+        objects = sorted(there.glob("*.o"))
+        subprocess.run(["ar", "rcs", there / "libturnbuckle.a", *objects], check=True)
+
+
+def test_static_libraries_are_judged_as_they_are(folder: Path, tmp_path: Path) -> None:
+    sound, broken = tmp_path / "sound", tmp_path / "broken"
+    build(folder, sound)
+    source = folder / "tb_kinematics.c"
+    right = source.read_text()
+    source.write_text(right.replace("length[0] = length_0;", "length[0] = -length_0;"))
+    build(folder, broken)
+    source.write_text(right)
+    assert verify(MACHINE, POINTS, folder=folder, built=sound).passed
+    failures = verify(MACHINE, POINTS, folder=folder, built=broken).failures()
+    assert {row.function for row in failures} >= {"cable_lengths"}
+    with pytest.raises(FolderError, match=r"libturnbuckle\.a: is missing"):
+        verify(MACHINE, POINTS, folder=folder, built=tmp_path / "nowhere")
 
 
 @pytest.mark.parametrize(

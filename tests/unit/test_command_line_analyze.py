@@ -175,7 +175,7 @@ def test_compare_refuses_a_bad_machine_file_with_its_key(which: int, tmp_path: P
 def quick_c(monkeypatch: pytest.MonkeyPatch) -> None:
     """Generation takes no time."""
 
-    def manifest(machine: Machine, prefix: str) -> dict[str, str]:
+    def manifest(machine: Machine, prefix: str, before: Path) -> dict[str, str]:
         parts: dict[str, object] = {name: {} for name in ("functions", "aliases", "files")}
         content = {"machine": machine.name, "hash": "0", **parts}
         return {turnbuckle.codegen.generate.MANIFEST: json.dumps(content)}

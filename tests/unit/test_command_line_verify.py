@@ -29,8 +29,8 @@ def run(
     """Run the command on a report with these rows; what verification was asked for."""
     asked: dict[str, Any] = {}
 
-    def verify(path: Path, points: int, progress: Any, folder: Path | None) -> Report:
-        asked.update(path=path, points=points, folder=folder)
+    def verify(path: Path, points: int, progress: Any, **places: Path | None) -> Report:
+        asked.update(path=path, points=points, **places)
         progress("wrench", 0, 2)
         return Report("yoon2023", "0123456789abcdef", 1, rows)
 
@@ -41,7 +41,7 @@ def run(
 def test_agreement_ends_with_success(monkeypatch: pytest.MonkeyPatch) -> None:
     result, asked = run(monkeypatch, [*FINE.values(), REFUSED])
     assert (result.exit_code, result.stderr) == (0, "")
-    assert asked == {"path": STOCK, "points": POINTS, "folder": None}
+    assert asked == {"path": STOCK, "points": POINTS, "folder": None, "built": None}
     assert "agrees with the reference" in result.stdout
 
 
