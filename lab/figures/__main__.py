@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from turnbuckle.lab.figures import brau, yoon
+from turnbuckle.lab.figures import brau, yoon, z_width
 from turnbuckle.lab.figures.findings import Drawn, Finding
 from turnbuckle.lab.figures.table1 import table1
 from turnbuckle.model.files import write_whole
@@ -29,6 +29,7 @@ def draw_all() -> dict[str, list[Drawn]]:
         "Yoon": [
             yoon.fig4(stock("yoon_fixed_diagonal"), stock("yoon_fixed_orthogonal")),
             yoon.fig6(stock("yoon2023")),
+            z_width.table1(stock("yoon2023")),
         ],
         "Brau": [
             brau.fig3(stock("brau_five")),
