@@ -4,6 +4,7 @@ from pathlib import Path
 
 from turnbuckle.lab.figures import brau, yoon, z_width
 from turnbuckle.lab.figures.findings import Drawn, Finding
+from turnbuckle.lab.figures.force_diagram import fig5
 from turnbuckle.lab.figures.table1 import table1
 from turnbuckle.model.files import write_whole
 from turnbuckle.model.machine import Machine
@@ -28,6 +29,7 @@ def draw_all() -> dict[str, list[Drawn]]:
     return {
         "Yoon": [
             yoon.fig4(stock("yoon_fixed_diagonal"), stock("yoon_fixed_orthogonal")),
+            fig5((stock("yoon_fixed_diagonal"), stock("yoon2023"))),
             yoon.fig6(stock("yoon2023")),
             z_width.table1(stock("yoon2023")),
         ],
