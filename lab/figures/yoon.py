@@ -1,50 +1,43 @@
-"""Yoon et al. 2023, Figs 4 and 6: tension factor and isotropic force of fixed and movable bases."""
+"""Yoon et al. 2023, Figs 4 and 6: tension factor and isotropic force, from the generated C."""
 
-from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
-from turnbuckle.lab.figures.drawing import PULLEYS, picture, plane_map, show_map
+from turnbuckle.codegen.bind import Generated, generate_into_cache
+from turnbuckle.codegen.pose_map import PoseMap, target_grid
+from turnbuckle.lab.figures.drawing import PULLEYS, picture, show_map
 from turnbuckle.lab.figures.findings import Drawn, Finding
 from turnbuckle.model.machine import Machine
-from turnbuckle.model.reference.control import base_targets
-from turnbuckle.model.workspace.feasible import ball_margin, feasible
-from turnbuckle.model.workspace.force import isotropic_force, isotropic_force_eq17, tension_factor
+from turnbuckle.model.symbolic.function import Status
 from turnbuckle.model.workspace.rows import Array
-from turnbuckle.model.workspace.structures import structures
 
 #: Poses of a picture along x and y; the numbers are from the audited grid, borders included.
 PICTURE, AUDITED = (253, 142), (101, 57)
 SCREEN = (0.506, 0.284)
-NO_RAILS = np.zeros(0)
 
 
-def screen(machine: Machine, counts: tuple[int, int]) -> tuple[Array, Array]:
-    """Coordinates [m] of a grid over the screen in the machine's frame, borders included."""
-    centre = machine.target.centre
-    x, y = (
-        np.linspace(c - side / 2, c + side / 2, n)
-        for c, side, n in zip(centre, SCREEN, counts, strict=True)
-    )
-    return x, y
+class Maps(NamedTuple):
+    """What the generated C says of a grid over the screen, NaN outside the workspace."""
+
+    factor: Array
+    """Tension factor (rows, columns)."""
+    force: Array
+    """Isotropic force (rows, columns) [N]."""
 
 
-def at(machine: Machine, poses: Array) -> Array:
-    """Structure matrices at poses, movable bases where they belong."""
-    rails = base_targets(machine, poses) if machine.rails else NO_RAILS
-    return structures(machine, poses, rails)
+def generated(machine: Machine) -> Generated:
+    """The machine's C in double precision."""
+    return Generated(machine, generate_into_cache(machine), "double")
 
 
-def factor(machine: Machine, poses: Array) -> Array:
-    """Tension factor, NaN outside the workspace."""
-    return tension_factor(at(machine, poses), machine.tension.min, machine.tension.max)
-
-
-def force(machine: Machine, poses: Array) -> Array:
-    """Isotropic force [N], NaN outside the workspace."""
-    s, bounds = at(machine, poses), (machine.tension.min, machine.tension.max)
-    inside = feasible(ball_margin(s, *bounds), s, machine.tension.max)
-    return np.where(inside, isotropic_force(s, *bounds), np.nan)
+def maps(machine: Machine, counts: tuple[int, int]) -> Maps:
+    """Maps of so many poses along x and y; movable bases are where they belong."""
+    tiles = list(PoseMap(generated(machine)).tiles(target_grid(machine, *counts)))
+    factor = np.concatenate([tile.factor for tile in tiles])
+    force = np.concatenate([tile.margin for tile in tiles])
+    inside = force >= 0
+    return Maps(np.where(inside, factor, np.nan), np.where(inside, force, np.nan))
 
 
 def fig4(diagonal: Machine, orthogonal: Machine) -> Drawn:
@@ -69,26 +62,22 @@ def fig4(diagonal: Machine, orthogonal: Machine) -> Drawn:
 
 def draw_pair(row: Array, machine: Machine, letters: str) -> None:
     """Tension factor on the left, isotropic force on the right."""
-    xs, ys = screen(machine, PICTURE)
-    maps = (
-        (factor, "tension factor", 0.3, 1.0),
-        (force, "isotropic force [N]", 0.0, 7.0),
+    drawn = maps(machine, PICTURE)
+    images = (
+        (drawn.factor, "tension factor", 0.3, 1.0),
+        (drawn.force, "isotropic force [N]", 0.0, 7.0),
     )
-    for panel, letter, (measure, label, low, high) in zip(row, letters, maps, strict=False):
-        image = plane_map(xs, ys, partial(measure, machine))
+    for panel, letter, (image, label, low, high) in zip(row, letters, images, strict=False):
         show_map(panel, image, SCREEN, label, low, high)
         panel.set_title(f"({letter}) {label.split(' [')[0]}")
 
 
 def fig4_findings(machine: Machine, name: str, published: str) -> tuple[Finding, ...]:
     """Centre and share of the screen."""
-    centre = at(machine, np.array([machine.target.centre]))
-    bounds = machine.tension.min, machine.tension.max
-    exact = float(isotropic_force(centre, *bounds)[0])
-    xs, ys = screen(machine, AUDITED)
-    margins = plane_map(xs, ys, lambda poses: force(machine, poses))
-    factors = plane_map(xs, ys, lambda poses: factor(machine, poses))
-    share = float(np.mean(~np.isnan(margins)))
+    no_rails = np.zeros(0)
+    exact = float(generated(machine).isotropic_force(np.array(machine.target.centre), no_rails))
+    audited = maps(machine, AUDITED)
+    share = float(np.mean(~np.isnan(audited.force)))
     where = f"Fig. 4, {name}"
     return (
         Finding(where, "isotropic force at the centre", published, f"{exact:.12f} N"),
@@ -96,7 +85,7 @@ def fig4_findings(machine: Machine, name: str, published: str) -> tuple[Finding,
                 "not printed", f"{share:.1%}",
                 "the paper only says that the diagonal workspace is the larger one; it is"),
         Finding(where, "lowest tension factor in the workspace", "0.3",
-                f"{np.nanmin(factors):.4f}",
+                f"{np.nanmin(audited.factor):.4f}",
                 "0.3 is T_min / T_max, which the bounds on T0 impose"),
         *eq17_finding(machine, where),
     )  # fmt: skip
@@ -104,11 +93,13 @@ def fig4_findings(machine: Machine, name: str, published: str) -> tuple[Finding,
 
 def eq17_finding(machine: Machine, where: str) -> tuple[Finding, ...]:
     """How far eq. 17 is below the facets."""
-    xs, ys = screen(machine, AUDITED)
-    x, y = np.meshgrid(xs, ys)
-    s = at(machine, np.stack([x.ravel(), y.ravel()], axis=-1))
-    bounds = machine.tension.min, machine.tension.max
-    short = isotropic_force(s, *bounds) - isotropic_force_eq17(s, *bounds)
+    grid = target_grid(machine, *AUDITED)
+    c, poses = generated(machine), grid.poses(range(grid.rows))
+    by_facets, by_eq17 = (
+        np.where(found.status == Status.OK, found, np.nan)
+        for found in (f(poses, np.zeros(0)) for f in (c.isotropic_force, c.isotropic_force_eq17))
+    )
+    short = by_facets - by_eq17
     rounding = 1e3 * np.finfo(float).eps * machine.tension.max
     share = float(np.sum(short > rounding) / np.sum(~np.isnan(short)))
     if share == 0:
@@ -127,15 +118,13 @@ def fig6(machine: Machine) -> Drawn:
     """Movable bases in the orthogonal configuration."""
     with picture("yoon_fig6.png", 12, 4.0) as figure:
         draw_pair(figure.subplots(1, 2), machine, "ab")
-    xs, ys = screen(machine, AUDITED)
-    factors = plane_map(xs, ys, lambda poses: factor(machine, poses))
-    forces = plane_map(xs, ys, lambda poses: force(machine, poses))
+    audited = maps(machine, AUDITED)
     return Drawn(
         "yoon_fig6.png",
         "The same with movable bases, every cable square to its rail.",
         (
-            Finding("Fig. 6", "tension factor on the screen", "1", spread(factors, "")),
-            Finding("Fig. 6", "isotropic force on the screen", "7 N", spread(forces, " N")),
+            Finding("Fig. 6", "tension factor on the screen", "1", spread(audited.factor, "")),
+            Finding("Fig. 6", "isotropic force on the screen", "7 N", spread(audited.force, " N")),
         ),
     )
 
